@@ -89,6 +89,26 @@ impl Solvable for Open {
     fn solve<T: Scalar>((): &(), (): &()) {}
 }
 
+/// Items from their numbers. Where functions are not inlined `from_fn` is five for each closure, and `map` of an array more: scenes compile for
+/// longer.
+#[inline(always)]
+#[cfg(optimised)]
+fn made<X: Copy, const L: usize>(make: impl FnMut(usize) -> X) -> [X; L] {
+    core::array::from_fn(make)
+}
+
+/// Items from their numbers, one at least.
+#[cfg(not(optimised))]
+fn made<X: Copy, const L: usize>(mut make: impl FnMut(usize) -> X) -> [X; L] {
+    const { assert!(L > 0, "no closure forces are `Open`") }
+    let (mut items, mut j) = ([make(0); L], 1);
+    while j < L {
+        items[j] = make(j);
+        j += 1;
+    }
+    items
+}
+
 /// `L` closure forces.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Cut<const L: usize>;
@@ -100,15 +120,15 @@ impl<const L: usize> Closures for Cut<L> {
 
     #[inline(always)]
     fn each<X: Copy>(make: impl FnMut(usize) -> X) -> [X; L] {
-        core::array::from_fn(make)
+        made(make)
     }
     #[inline(always)]
     fn map<X: Copy, Y: Copy>(items: &[X; L], mut make: impl FnMut(X) -> Y) -> [Y; L] {
-        core::array::from_fn(|j| make(items[j])) // `items.map` is five functions for each closure, and compiles for longer
+        made(|j| make(items[j]))
     }
     #[inline(always)]
     fn zip<X: Copy, Y: Copy, Z: Copy>(items: &[X; L], others: &[Y; L], mut make: impl FnMut(X, Y) -> Z) -> [Z; L] {
-        core::array::from_fn(|j| make(items[j], others[j]))
+        made(|j| make(items[j], others[j]))
     }
     #[inline(always)]
     fn no_pairs<T: Scalar>() -> [[T; L]; L] {

@@ -30,7 +30,7 @@ pub(crate) fn crosses([before, after]: [f64; 2]) -> bool {
 pub(crate) fn departure<E>(
     [before, after]: [f64; 2],
     rounding: f64,
-    mut value_at: impl FnMut(f64) -> Result<f64, E>,
+    value_at: &mut dyn FnMut(f64) -> Result<f64, E>,
 ) -> Result<(f64, f64), E> {
     if before == 0.0 {
         return Ok((LEFT, value_at(LEFT)?));
@@ -40,13 +40,13 @@ pub(crate) fn departure<E>(
     }
     let departed = value_at(DEPARTED)?;
     let at_zero = crosses([before, departed])
-        && DEPARTED * crossing([before, departed], |part| value_at(DEPARTED * part))? <= rounding;
+        && DEPARTED * crossing([before, departed], &mut |part| value_at(DEPARTED * part))? <= rounding;
     Ok(if at_zero { (DEPARTED, departed) } else { (0.0, before) })
 }
 
 /// The share at which a function is zero that [`crosses`] zero from 0 to 1 by these values: regula falsi with the Illinois modification.
 /// The last value asked for is that of the share given, but for a hundred values that have not met rounding.
-pub(crate) fn crossing<E>(values: [f64; 2], mut value_at: impl FnMut(f64) -> Result<f64, E>) -> Result<f64, E> {
+pub(crate) fn crossing<E>(values: [f64; 2], value_at: &mut dyn FnMut(f64) -> Result<f64, E>) -> Result<f64, E> {
     let ([mut low, mut high], [mut below, mut above]) = ([0.0, 1.0], values);
     if above == 0.0 {
         return value_at(high).map(|_| high);

@@ -150,7 +150,7 @@ where
             return Err(inconsistent(least, self.past.time));
         }
         let (width, below) = (high.0 - low.0, low.0);
-        let within = crossing([low.1, high.1], |theta| self.made_anew(&memory, size, below + theta * width))?;
+        let within = crossing([low.1, high.1], &mut |theta| self.made_anew(&memory, size, below + theta * width))?;
         let mut share = below + within * width;
         // What strikes has been found a little beyond its stop, where it is faster by what it has fallen since.
         for _ in 0..NEWTON {

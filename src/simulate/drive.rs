@@ -234,7 +234,7 @@ where
                 let (from, before) = match before {
                     Some(before) if before == 0.0 || self.progress.steps == 0 => {
                         let rounding = RealOf::<S>::EPSILON.sqrt().as_f64();
-                        departure([before, after], rounding, |theta| self.value_at(size, theta))?
+                        departure([before, after], rounding, &mut |theta| self.value_at(size, theta))?
                     }
                     Some(before) => (0.0, before),
                     None => (DEPARTED, self.value_at(size, DEPARTED)?),
@@ -294,7 +294,7 @@ where
     /// The share of the step at which the event function crosses zero, after a share at which and at the end of which it has these values.
     fn crossing(&mut self, size: RealOf<S>, from: f64, values: [f64; 2]) -> Result<f64, Error> {
         let share = |part: f64| from + (1.0 - from) * part;
-        Ok(share(crossing(values, |part| self.value_at(size, share(part)))?))
+        Ok(share(crossing(values, &mut |part| self.value_at(size, share(part)))?))
     }
 }
 

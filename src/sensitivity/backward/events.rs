@@ -71,11 +71,11 @@ where
             let mut from = 0.0;
             if before == 0.0 || k == 1 {
                 let (rounding, mut beyond) = (RealOf::<S>::EPSILON.sqrt().as_f64(), next.clone());
-                (from, before) = departure([before, after], rounding, |theta| cut(theta, &mut beyond))?;
+                (from, before) = departure([before, after], rounding, &mut |theta| cut(theta, &mut beyond))?;
             }
             if crosses([before, after]) {
                 let share = |part: f64| from + (1.0 - from) * part;
-                let part = crossing([before, after], |part| cut(share(part), next))?;
+                let part = crossing([before, after], &mut |part| cut(share(part), next))?;
                 cut(share(part), next)?;
                 return Ok(Some(k));
             }
