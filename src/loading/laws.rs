@@ -119,10 +119,46 @@ impl<F> Function<F> {
 /// # Ok::<(), catena::Error>(())
 /// ```
 ///
+/// In space joints have up to three coordinates ([`in_space`](Self::in_space)).
+///
+/// ```
+/// use catena::loading::TimeLaw;
+/// use catena::scalar::Scalar;
+/// use catena::spatial::*;
+///
+/// /// Wags a body on a ball about its second and third axes (N·m).
+/// struct Wag;
+///
+/// impl TimeLaw<f64> for Wag {
+///     fn at<X: Scalar<Real = f64>>(&self, _: X, _: usize) -> X {
+///         X::zero()
+///     }
+///     fn in_space<X: Scalar<Real = f64>>(&self, time: X, _: usize) -> [X; 3] {
+///         let (sine, cosine) = (X::literal(5.0) * time).sin_cos();
+///         [X::zero(), sine, X::literal(0.5) * cosine]
+///     }
+/// }
+///
+/// let rod = Rod::uniform(1.0, 0.1, 1.0);
+/// let pendulum = System::new(Pinned::origin(), (rod, Ball, rod), Free)?.with_gravity([0.0, 0.0, -9.81]);
+/// let (start, loads) = (pendulum.at_rest(&[0.1; 6])?, Loads::none().in_joints_over_time(Wag));
+/// let series = pendulum.simulation(Taylor::<20>::tolerance(1e-12)).loads(&loads).run(start, 0.5, |_| ())?;
+/// let other = pendulum.simulation(Dop853::tolerance(1e-12)).loads(&loads).run(start, 0.5, |_| ())?;
+/// let miss = series.motion.rates().into_iter().zip(other.motion.rates()).map(|(a, b): (f64, f64)| (a - b).abs());
+/// assert!(miss.fold(0.0, f64::max) < 1e-9);
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
 /// A law that jumps or bends is one law up to there and another beyond: end runs there.
 pub trait TimeLaw<R: Real> {
     /// The effort on the outboard body (N·m; N in a slider) in the joint of a number, 0 at the root, at a time (s).
     fn at<X: Scalar<Real = R>>(&self, time: X, joint: usize) -> X;
+
+    /// The efforts in a joint of space, along each of its coordinates: of a ball a torque (N·m) in axes of the outboard body. That
+    /// [`at`](Self::at) a time alone, along the first, unless it is said otherwise.
+    fn in_space<X: Scalar<Real = R>>(&self, time: X, joint: usize) -> [X; 3] {
+        [self.at(time, joint), X::zero(), X::zero()]
+    }
 }
 
 /// A [`TimeLaw`] as the law of what acts in joints.

@@ -128,7 +128,7 @@ impl<B, J> Loads<B, J> {
         self.in_joints_by(InJoints::new(law))
     }
 
-    /// Efforts in joints as a function of time written for any number, which [`Taylor`](crate::time::Taylor) knows: see
+    /// Efforts in joints as a function of time written for any number, in the plane and in space, which [`Taylor`](crate::time::Taylor) knows: see
     /// [`TimeLaw`](super::TimeLaw).
     pub fn in_joints_over_time<F>(self, law: F) -> Loads<B, OverTime<F>> {
         self.in_joints_by(OverTime(law))

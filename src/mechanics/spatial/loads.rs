@@ -2,11 +2,11 @@
 
 use super::{BodyMotion, Frame, JointMotion, Spatial};
 use crate::lift::Lift;
-use crate::loading::Seen;
+use crate::loading::{LoadLaw, OverTime, Seen, SeriesLaw, TimeLaw};
 use crate::relation::spatial::Couple;
 use crate::relation::spatial::algebra::{Columns, cross};
 use crate::relation::{self, Absent, Additive, Part, Term};
-use crate::scalar::Scalar;
+use crate::scalar::{Powers, Scalar};
 use crate::struts::Points;
 use core::ops::Add;
 use nalgebra::Vector3;
@@ -134,5 +134,20 @@ impl<T: Scalar> Drive<T> for Effort<T> {
     #[inline(always)]
     fn couple(self, attitude: &Columns<T>) -> Couple<T> {
         Couple(attitude.apply(Vector3::from(self.0)))
+    }
+}
+
+impl<T: Scalar, F: TimeLaw<T::Real>> LoadLaw<JointMotion<T>> for OverTime<F> {
+    type Value = Effort<T>;
+    fn at(&self, time: T::Real, joint: usize, _: &JointMotion<T>) -> Effort<T> {
+        Effort(self.0.in_space(T::constant(time), joint))
+    }
+}
+
+impl<T: Scalar, F: TimeLaw<T::Real>> SeriesLaw<JointMotion<T>> for OverTime<F> {
+    fn series<const N: usize>(&self, time: T::Real, joint: usize, asked: usize) -> [Effort<T>; N] {
+        let time = Powers::<T, N>::variable(T::constant(time), asked);
+        let [first, second, third] = self.0.in_space(time, joint).map(Powers::terms);
+        core::array::from_fn(|k| Effort([first[k], second[k], third[k]]))
     }
 }
