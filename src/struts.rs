@@ -7,6 +7,7 @@ use crate::lift::Lift;
 use crate::relation::{Wrench, WrenchOf};
 use crate::scalar::Scalar;
 use nalgebra::SVector;
+use num_traits::Zero;
 
 /// A space of `D` dimensions, in which points of bodies can be pulled at.
 pub trait Points<const D: usize>: Space {
@@ -173,48 +174,8 @@ impl<T, const D: usize, const N: usize, L> Struts<T, D, N, L> {
     }
 }
 
-/// Places and velocities of the ends of struts.
+/// Places and velocities of the ends of struts that are on bodies.
 pub(crate) type Seen<T, const D: usize, const N: usize> = [[[SVector<T, D>; 2]; 2]; N];
-
-impl<T: Scalar, const D: usize, const N: usize, L> Struts<T, D, N, L> {
-    /// Until a body has been seen it is nowhere.
-    pub(crate) fn nowhere() -> Seen<T, D, N> {
-        [[[SVector::repeat(T::literal(f64::NAN)); 2]; 2]; N]
-    }
-
-    /// Sees the ends on a body, and those on the ground.
-    pub(crate) fn see<S: Points<D, Scalar = T>>(&self, seen: &mut Seen<T, D, N>, body: usize, motion: &S::BodyMotion) {
-        for (strut, seen) in self.struts.iter().zip(seen) {
-            for (end, seen) in strut.ends.iter().zip(seen) {
-                match end {
-                    End::Body(k, at) if *k == body => *seen = S::point(motion, *at),
-                    End::Ground(place) => *seen = [SVector::from(*place), SVector::repeat(T::zero())],
-                    End::Body(..) => {}
-                }
-            }
-        }
-    }
-
-    /// What struts exert on a body.
-    pub(crate) fn pull<S: Points<D, Scalar = T>>(
-        &self,
-        seen: &Seen<T, D, N>,
-        body: usize,
-        motion: &S::BodyMotion,
-    ) -> WrenchOf<S> {
-        let mut sum = Wrench::none();
-        for (strut, seen) in self.struts.iter().zip(seen) {
-            for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
-                if let End::Body(k, at) = end
-                    && *k == body
-                {
-                    sum = sum + S::pull(motion, *at, strut.force(*seen) * T::literal(sign));
-                }
-            }
-        }
-        sum
-    }
-}
 
 impl<S, L, const D: usize, const N: usize> Loading<S> for Struts<S::Scalar, D, N, L>
 where
@@ -233,10 +194,20 @@ where
         (Wrench::none(), L::nothing().1)
     }
     fn unseen() -> Self::Seen {
-        (Self::nowhere(), L::unseen())
+        // Until a body has been seen it is nowhere.
+        let nowhere = SVector::repeat(S::Scalar::literal(f64::NAN));
+        ([[[nowhere; 2]; 2]; N], L::unseen())
     }
     fn survey(&self, (ends, others): &mut Self::Seen, body: usize, motion: &S::BodyMotion) {
-        self.see::<S>(ends, body, motion);
+        for (strut, seen) in self.struts.iter().zip(ends) {
+            for (end, seen) in strut.ends.iter().zip(seen) {
+                match end {
+                    End::Body(k, at) if *k == body => *seen = S::point(motion, *at),
+                    End::Ground(place) => *seen = [SVector::from(*place), SVector::repeat(S::Scalar::zero())],
+                    End::Body(..) => {}
+                }
+            }
+        }
         if L::SURVEYS {
             self.others.survey(others, body, motion);
         }
@@ -248,7 +219,17 @@ where
         body: usize,
         motion: &S::BodyMotion,
     ) -> WrenchOf<S> {
-        let sum = self.pull::<S>(ends, body, motion);
+        let mut sum = Wrench::none();
+        for (strut, seen) in self.struts.iter().zip(ends) {
+            for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
+                if let End::Body(k, at) = end
+                    && *k == body
+                {
+                    let force = strut.force(*seen) * S::Scalar::literal(sign);
+                    sum = sum + S::pull(motion, *at, force);
+                }
+            }
+        }
         if L::ON { sum + self.others.on_body(others, time, body, motion).wrench() } else { sum }
     }
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> L::InJoint {

@@ -1,12 +1,10 @@
 //! What acts on bodies in runs that go backward.
 
 use super::Reversed;
-use crate::error::Fault;
-use crate::loading::{Load, LoadLaw, Loading, Loads, Seen as _};
-use crate::relation::Closures;
-use crate::relation::{Additive, WrenchOf};
+use crate::loading::{Load, LoadLaw, Loading, Loads};
+use crate::relation::{Absent, Additive, Closures};
 use crate::shape::Takes;
-use crate::space::{FrameOf, RealOf};
+use crate::space::FrameOf;
 use crate::walks::burden::Burden;
 use crate::walks::pull_loads::{LAW, PullLoads};
 
@@ -18,67 +16,48 @@ use crate::walks::pull_loads::{LAW, PullLoads};
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait BodyLaw<S: Reversed>: Copy {
-    /// What is seen of all bodies before a load is known.
-    type Seen: Clone;
-    /// Costates of the numbers it is made of.
-    type OfNumbers: Clone;
     /// These loads beside efforts in joints.
     type Beside<J: LoadLaw<S::JointMotion>>: Loading<S>;
+    /// Costates of the numbers they are made of.
+    type OfNumbers: Clone;
+    /// What is seen of virtual velocities of all bodies before costates are known: nothing, unless loads survey.
+    type Stirred: Clone;
 
     /// Whether there is a load.
-    const ON: bool;
+    const ON: bool = <Alone<S, Self> as Loading<S>>::ON;
     /// Whether a load depends on other bodies than the one it acts on.
-    const SURVEYS: bool = false;
+    const SURVEYS: bool = <Alone<S, Self> as Loading<S>>::SURVEYS;
 
-    /// Nothing has been seen yet.
-    fn unseen() -> Self::Seen;
+    /// Puts efforts in joints beside these loads.
+    fn beside<J: LoadLaw<S::JointMotion>>(self, efforts: J) -> Self::Beside<J>;
     /// No derivatives yet.
     fn of_nothing() -> Self::OfNumbers;
-    /// Sees a body.
-    fn survey(&self, seen: &mut Self::Seen, body: usize, motion: &S::BodyMotion) {
-        let _ = (seen, body, motion);
-    }
-    /// The load on a body.
-    fn on_body(&self, seen: &Self::Seen, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> WrenchOf<S>;
-    /// What of it depends on that body, and on time, alone.
-    fn on_that_body(&self, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> WrenchOf<S>;
-    /// Puts efforts in joints beside it.
-    fn beside<J: LoadLaw<S::JointMotion>>(self, efforts: J) -> Self::Beside<J>;
-    /// Refuses what does not fit a scene with so many bodies.
-    ///
-    /// # Errors
-    /// [`Fault::Count`], [`Fault::NoSuchBody`] and what is wrong with parameters.
-    fn check(&self, bodies: usize) -> Result<(), Fault>;
+    /// Nothing is stirred yet.
+    fn unstirred() -> Self::Stirred;
     /// Derivatives by numbers of a law of one body's motion, and how many it has.
     fn listed(of_numbers: &Self::OfNumbers) -> &OfLaw<S::Scalar>;
 }
+
+/// Loads on bodies without efforts in joints.
+pub type Alone<S, L> = <L as BodyLaw<S>>::Beside<Absent>;
+/// What such loads have seen of all bodies.
+pub type Surveyed<S, L> = <Alone<S, L> as Loading<S>>::Seen;
 
 /// Costates of the numbers of a law of one body's motion, and how many it has.
 pub type OfLaw<T> = ([T; LAW], usize);
 
 impl<S: Reversed, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for L {
-    type Seen = ();
-    type OfNumbers = OfLaw<S::Scalar>;
     type Beside<J: LoadLaw<S::JointMotion>> = Loads<L, J>;
-    const ON: bool = L::ON;
+    type OfNumbers = OfLaw<S::Scalar>;
+    type Stirred = ();
 
-    fn unseen() {}
-    fn of_nothing() -> OfLaw<S::Scalar> {
-        ([S::Scalar::null(); LAW], 0)
-    }
-    #[inline(always)]
-    fn on_body(&self, (): &(), time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> WrenchOf<S> {
-        self.at(time, body, &motion.unaccelerated()).wrench()
-    }
-    fn on_that_body(&self, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> WrenchOf<S> {
-        self.on_body(&(), time, body, motion)
-    }
     fn beside<J: LoadLaw<S::JointMotion>>(self, efforts: J) -> Loads<L, J> {
         Loads::none().on_bodies_by(self).in_joints_by(efforts)
     }
-    fn check(&self, bodies: usize) -> Result<(), Fault> {
-        LoadLaw::check(self, bodies)
+    fn of_nothing() -> OfLaw<S::Scalar> {
+        ([S::Scalar::null(); LAW], 0)
     }
+    fn unstirred() {}
     fn listed(of_numbers: &OfLaw<S::Scalar>) -> &OfLaw<S::Scalar> {
         of_numbers
     }

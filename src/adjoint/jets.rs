@@ -11,13 +11,14 @@ const INPUTS: usize = NUMBERS + 2;
 /// A number with derivatives by all these.
 pub type Read<T> = Jet<T, INPUTS>;
 
-/// A law over jets of its numbers.
-fn seeded<T: Scalar, L: Lift<T, Read<T>>>(law: &L) -> L::Over {
-    let mut seed = 1;
-    law.lift(&mut |number| {
-        seed += 1;
-        Jet::seed(number, seed)
-    })
+/// A law over jets of its numbers, from a seed on, and how many it has.
+pub fn seeded<T: Scalar, L: Lift<T, Jet<T, N>>, const N: usize>(law: &L, first: usize) -> (L::Over, usize) {
+    let mut count = 0;
+    let over = law.lift(&mut |number| {
+        count += 1;
+        Jet::seed(number, first + count - 1)
+    });
+    (over, count)
 }
 
 /// [`ReversibleLaw::pull_back`] of a law on jets of its position, its rate and its numbers.
@@ -26,7 +27,7 @@ where
     T: Scalar,
     L: Lift<T, Read<T>, Over: SpringLaw<Read<T>>>,
 {
-    let force = seeded(law).force(Jet::seed(position, 0), Jet::seed(rate, 1));
+    let force = seeded(law, 2).0.force(Jet::seed(position, 0), Jet::seed(rate, 1));
     let [of_position, of_rate, each @ ..] = force.eps;
     of_numbers.iter_mut().zip(each).for_each(|(sum, slope)| *sum += of_force * slope);
     [of_position * of_force, of_rate * of_force]
@@ -44,7 +45,7 @@ where
     T: Scalar,
     L: Lift<T, Read<T>, Over: SpringLaw<Read<T>>>,
 {
-    let (law, position, rate) = (seeded(law), Jet::seed(position, 0), Jet::seed(rate, 1));
+    let (law, position, rate) = (seeded(law, 2).0, Jet::seed(position, 0), Jet::seed(rate, 1));
     let (force, pivot) = (law.force(position, rate), law.pivot(position, rate, springs));
     let slope = |k: usize| of_force * pivot.eps[k].mul_add(change, force.eps[k]);
     of_numbers.iter_mut().zip(2..INPUTS).for_each(|(sum, k)| *sum += slope(k));

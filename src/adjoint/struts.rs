@@ -42,7 +42,7 @@ pub trait ReversiblePoints<const D: usize>: Points<D> + Reversed {
 /// Loads that can act beside struts in runs that go backward: laws of each body's motion, or none.
 pub trait BesideStruts<S: Reversed>: Loading<S> + Copy {
     /// What acts on bodies.
-    type Law: LoadLaw<S::BodyMotion, Value: Load<S>> + BodyLaw<S, Seen = (), OfNumbers = OfLaw<S::Scalar>>;
+    type Law: LoadLaw<S::BodyMotion, Value: Load<S>> + BodyLaw<S, OfNumbers = OfLaw<S::Scalar>>;
     /// The law.
     fn law(&self) -> Self::Law;
 }
@@ -85,8 +85,8 @@ impl<T: Scalar, const D: usize> ByStrut<T, D> {
 /// Costates of the numbers of struts, and of a law beside them.
 pub type OfStruts<T, const D: usize, const N: usize> = ([ByStrut<T, D>; N], OfLaw<T>);
 
-/// What is known of the ends of struts: places and velocities, and virtual velocities.
-pub type EndsSeen<T, const D: usize, const N: usize> = (Seen<T, D, N>, [[SVector<T, D>; 2]; N]);
+/// Virtual velocities of the ends of struts.
+pub type EndsStirred<T, const D: usize, const N: usize> = [[SVector<T, D>; 2]; N];
 
 /// What a strut does over virtual velocities, and its slopes by place and velocity of the second end: those by the first are the opposite.
 struct Power<T, const D: usize> {
@@ -126,7 +126,7 @@ impl<T: Scalar, const D: usize> Power<T, D> {
 /// Sees virtual velocities of ends on the body met last.
 pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
     struts: &[Strut<S::Scalar, D>; N],
-    ends: &mut [[SVector<S::Scalar, D>; 2]; N],
+    ends: &mut EndsStirred<S::Scalar, D, N>,
     body: usize,
     frame: &FrameOf<S>,
     stirred: (S::Vector, S::Angular),
@@ -144,7 +144,7 @@ pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
 /// end, which is on a body, gives those that both have in common.
 pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
     struts: &[Strut<S::Scalar, D>; N],
-    (seen, stirred): &EndsSeen<S::Scalar, D, N>,
+    (seen, stirred): (&Seen<S::Scalar, D, N>, &EndsStirred<S::Scalar, D, N>),
     body: usize,
     (frame, stirring): (&FrameOf<S>, S::Angular),
     of_struts: &mut [ByStrut<S::Scalar, D>; N],
@@ -179,39 +179,19 @@ pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
 macro_rules! struts {
     ($Space:ident, $D:literal) => {
         impl<T: Scalar, L: BesideStruts<$Space<T>>, const N: usize> BodyLaw<$Space<T>> for Struts<T, $D, N, L> {
-            type Seen = EndsSeen<T, $D, N>;
-            type OfNumbers = OfStruts<T, $D, N>;
             type Beside<J: LoadLaw<JointMotion<T>>> = Struts<T, $D, N, Loads<L::Law, J>>;
-            const ON: bool = true;
-            const SURVEYS: bool = true;
+            type OfNumbers = OfStruts<T, $D, N>;
+            type Stirred = EndsStirred<T, $D, N>;
 
-            fn unseen() -> Self::Seen {
-                (Self::nowhere(), [[SVector::repeat(T::zero()); 2]; N])
-            }
-            fn of_nothing() -> Self::OfNumbers {
-                ([ByStrut::none(); N], <L::Law as BodyLaw<$Space<T>>>::of_nothing())
-            }
-            fn survey(&self, (seen, _): &mut Self::Seen, body: usize, motion: &BodyMotion<T>) {
-                self.see::<$Space<T>>(seen, body, motion);
-            }
-            fn on_body(&self, (seen, _): &Self::Seen, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-                let pulled = self.pull::<$Space<T>>(seen, body, motion);
-                if const { <L::Law as BodyLaw<$Space<T>>>::ON } {
-                    pulled + self.on_that_body(time, body, motion)
-                } else {
-                    pulled
-                }
-            }
-            fn on_that_body(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-                self.others().law().on_that_body(time, body, motion)
-            }
             fn beside<J: LoadLaw<JointMotion<T>>>(self, efforts: J) -> Self::Beside<J> {
                 let others = Loads::none().on_bodies_by(self.others().law()).in_joints_by(efforts);
                 Struts::of(*self.struts()).and(others)
             }
-            fn check(&self, bodies: usize) -> Result<(), Fault> {
-                Loading::<$Space<T>>::check(&Struts::of(*self.struts()), bodies, 0)?;
-                LoadLaw::check(&self.others().law(), bodies)
+            fn of_nothing() -> Self::OfNumbers {
+                ([ByStrut::none(); N], <L::Law as BodyLaw<$Space<T>>>::of_nothing())
+            }
+            fn unstirred() -> Self::Stirred {
+                [[SVector::repeat(T::zero()); 2]; N]
             }
             fn listed((_, of_law): &Self::OfNumbers) -> &OfLaw<T> {
                 of_law
@@ -229,18 +209,21 @@ macro_rules! struts {
                 stirred: (Vector<T>, Angular<T>),
                 sums: &mut [T; BODY],
             ) -> Felt<T> {
-                let PullLoads { law, seen, surveys, time, body, level, of_law: (of_struts, of_law) } = walk;
+                let PullLoads { law, seen: ((seen, ()), ends), surveys, time, body, level, of_law } = walk;
+                let ((of_struts, of_law), struts) = (of_law, law.struts());
                 if *surveys {
-                    struts::stir::<$Space<T>, $D, N>(law.struts(), &mut seen.1, *body, frame, stirred);
+                    stir::<$Space<T>, $D, N>(struts, ends, *body, frame, stirred);
                     return Felt::null();
                 }
-                let felt = struts::felt::<$Space<T>, $D, N>(law.struts(), seen, *body, (frame, stirred.1), of_struts);
+                let felt = felt::<$Space<T>, $D, N>(struts, (seen, ends), *body, (frame, stirred.1), of_struts);
                 if const { !<L::Law as BodyLaw<$Space<T>>>::ON } {
                     return felt;
                 }
-                let (law, level) = (law.others().law(), *level);
-                let (surveys, time, body, of_numbers) = (false, *time, *body, *of_law);
-                let mut walk = PullLoads { law, seen: (), surveys, time, body, level, of_law: of_numbers };
+                // A law of one body's motion sees no other.
+                let seen = (<Alone<$Space<T>, L::Law>>::unseen(), <L::Law as BodyLaw<$Space<T>>>::unstirred());
+                let law = law.others().law();
+                let (time, body, level, surveys) = (*time, *body, *level, false);
+                let mut walk = PullLoads { law, seen, surveys, time, body, level, of_law: *of_law };
                 let more = L::Law::felt(&mut walk, numbers, frame, stirred, sums);
                 *of_law = walk.of_law;
                 felt + more

@@ -1,7 +1,7 @@
 //! Costates of positions, rates and parameters, from what loads on bodies read.
 
 use super::missed::Turns;
-use crate::adjoint::{BodyLaw, Reversed, ReversibleClosing};
+use crate::adjoint::{BodyLaw, Reversed, ReversibleClosing, Surveyed};
 use crate::element::Level;
 use crate::relation::{Additive, Closures, WrenchOf};
 use crate::shape::{
@@ -13,9 +13,9 @@ use crate::space::{FrameOf, RealOf};
 pub struct PullLoads<L: BodyLaw<S>, S: Reversed> {
     /// What acts on bodies.
     pub law: L,
-    /// What the law has seen of all bodies.
-    pub seen: L::Seen,
-    /// Whether the law only sees virtual velocities here, those of all bodies, before costates are found.
+    /// What the law has seen of all bodies, and of their virtual velocities.
+    pub seen: (Surveyed<S, L>, L::Stirred),
+    /// Whether the law only sees virtual velocities here, before costates are found.
     pub surveys: bool,
     /// Time (s).
     pub time: RealOf<S>,

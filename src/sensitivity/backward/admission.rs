@@ -7,8 +7,8 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
-use crate::loading::EffortOf;
-use crate::relation::Additive;
+use crate::loading::{EffortOf, Loading};
+use crate::relation::{Absent, Additive};
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::walks::fits::fits;
@@ -71,7 +71,7 @@ where
             return Err(Error::new(Fault::Unsupported { what }));
         }
         let (bodies, joints) = (self.steps.scene.elements().bodies(), self.steps.scene.joints());
-        self.steps.loads.law.check(bodies).map_err(Error::new)?;
+        Loading::<S>::check(&self.steps.loads.law.beside(Absent), bodies, joints).map_err(Error::new)?;
         if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }
     }
 }

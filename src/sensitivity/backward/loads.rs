@@ -2,17 +2,17 @@
 
 use super::Backward;
 use super::rules::Staged;
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
-use crate::element::{Coordinates, Element, Level, RealOf, Unloaded};
+use crate::adjoint::{Alone, BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Surveyed};
+use crate::element::{Coordinates, Element, Level, RealOf, Space, Unloaded};
 use crate::ends::Root;
-use crate::loading::EffortOf;
+use crate::loading::{EffortOf, Load, Loading};
 use crate::mirror::Rate;
-use crate::relation::{Additive, Wrench, WrenchOf};
+use crate::relation::{Absent, Additive, Wrench, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
 use crate::space::FrameOf;
 use crate::system::{Elements, Runs, System};
-use crate::visit::{Visit, Watch};
+use crate::visit::{Visit, Watch, survey};
 use crate::walks::pull_loads::PullLoads;
 use crate::walks::travel::{show, travel};
 
@@ -20,7 +20,7 @@ use crate::walks::travel::{show, travel};
 pub(super) struct Seen<S: Reversed, E: Element<S>, L: BodyLaw<S>> {
     pub(super) law: L,
     /// What the law has seen of all bodies.
-    seen: L::Seen,
+    seen: Surveyed<S, L>,
     /// Frames of bodies and the loads on them.
     #[allow(clippy::type_complexity)] // two in one entry
     pub(super) on_bodies: E::Store<PerBody<(FrameOf<S>, WrenchOf<S>)>>,
@@ -31,7 +31,7 @@ pub(super) struct Seen<S: Reversed, E: Element<S>, L: BodyLaw<S>> {
 impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Seen<S, E, L> {
     pub(super) fn new(elements: &E, law: L, ground: FrameOf<S>) -> Self {
         let on_bodies = elements.store::<PerBody<_>>((ground, Wrench::none()));
-        Self { law, seen: L::unseen(), on_bodies, in_joints: elements.store::<PerJoint<_>>(()) }
+        Self { law, seen: Alone::<S, L>::unseen(), on_bodies, in_joints: elements.store::<PerJoint<_>>(()) }
     }
 
     /// Finds frames of bodies, and the loads on them; gives the frame of the tip.
@@ -42,18 +42,15 @@ impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Seen<S, E, L> {
         motion: Coordinates<'_, S, E>,
         time: RealOf<S>,
     ) -> FrameOf<S> {
-        if const { L::SURVEYS } {
-            let mut surveying = Surveying { law: self.law, seen: L::unseen(), body: 0 };
-            show(elements, ground, motion, &mut surveying);
-            self.seen = surveying.seen;
-        }
-        let visit = Telling { law: self.law, seen: &self.seen, time, body: 0 };
+        let loads = self.law.beside(Absent);
+        self.seen = survey(elements, ground, motion, &loads);
+        let visit = Telling { loads, seen: &self.seen, time, body: 0 };
         travel(elements, ground, motion, visit, &mut self.on_bodies, &mut self.in_joints)
     }
 
     /// The walk that finds costates of what it was told.
     pub(super) fn pull(&self, elements: &E, time: RealOf<S>, level: Level, of_law: L::OfNumbers) -> PullLoads<L, S> {
-        let (law, seen) = (self.law, self.seen.clone());
+        let (law, seen) = (self.law, (self.seen.clone(), L::unstirred()));
         PullLoads { law, seen, surveys: false, time, body: elements.bodies(), level, of_law }
     }
 }
@@ -66,22 +63,25 @@ pub(super) fn depend_on_time<S: Reversed, E: Element<S>, L: BodyLaw<S>>(
     motion: Coordinates<'_, S, E>,
     times: &[RealOf<S>],
 ) -> bool {
-    let mut compared = Compared { law, times, body: 0, differ: false };
+    let loads = law.beside(Absent);
+    let seen = survey(elements, ground, motion, &loads);
+    let mut compared = Compared { loads, seen, times, body: 0, differ: false };
     show(elements, ground, motion, &mut compared);
     compared.differ
 }
 
 /// Compares what a law gives at several times.
-struct Compared<'t, L, R> {
-    law: L,
-    times: &'t [R],
+struct Compared<'t, S: Space, L: Loading<S>> {
+    loads: L,
+    seen: L::Seen,
+    times: &'t [RealOf<S>],
     body: usize,
     differ: bool,
 }
 
-impl<S: Reversed, L: BodyLaw<S>> Watch<S> for Compared<'_, L, RealOf<S>> {
+impl<S: Reversed, L: Loading<S>> Watch<S> for Compared<'_, S, L> {
     fn body(&mut self, motion: &S::BodyMotion) {
-        let at = |time: &RealOf<S>| S::numbers(self.law.on_that_body(*time, self.body, motion));
+        let at = |time: &RealOf<S>| S::numbers(self.loads.on_body(&self.seen, *time, self.body, motion).wrench());
         for pair in self.times.windows(2) {
             at(&pair[0]).all(&at(&pair[1]), &mut |one, other| {
                 self.differ |= one.real() != other.real();
@@ -92,35 +92,21 @@ impl<S: Reversed, L: BodyLaw<S>> Watch<S> for Compared<'_, L, RealOf<S>> {
     }
 }
 
-/// Lets the law see each body.
-struct Surveying<S: Reversed, L: BodyLaw<S>> {
-    law: L,
-    seen: L::Seen,
-    body: usize,
-}
-
-impl<S: Reversed, L: BodyLaw<S>> Watch<S> for Surveying<S, L> {
-    fn body(&mut self, motion: &S::BodyMotion) {
-        self.law.survey(&mut self.seen, self.body, motion);
-        self.body += 1;
-    }
-}
-
 /// Tells the law of each body.
-struct Telling<'s, S: Reversed, L: BodyLaw<S>> {
-    law: L,
+struct Telling<'s, S: Space, L: Loading<S>> {
+    loads: L,
     seen: &'s L::Seen,
     time: RealOf<S>,
     body: usize,
 }
 
-impl<S: Reversed, L: BodyLaw<S>> Visit<S> for Telling<'_, S, L> {
+impl<S: Reversed, L: Loading<S>> Visit<S> for Telling<'_, S, L> {
     type OnBody = (FrameOf<S>, WrenchOf<S>);
     type InJoint = ();
 
     fn body(&mut self, motion: &S::BodyMotion) -> (FrameOf<S>, WrenchOf<S>) {
         self.body += 1;
-        (S::inboard(motion), self.law.on_body(self.seen, self.time, self.body - 1, motion))
+        (S::inboard(motion), self.loads.on_body(self.seen, self.time, self.body - 1, motion).wrench())
     }
     fn joint(&mut self, _: &S::JointMotion) {}
 }

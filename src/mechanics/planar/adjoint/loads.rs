@@ -11,6 +11,7 @@
 //! Closures are read by the same walk, without loads.
 
 use super::laws::ReversibleLaw;
+use crate::adjoint::jets::seeded;
 use crate::adjoint::{BodyLaw, ReversibleLoads};
 use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw};
@@ -86,20 +87,13 @@ where
         (weight, stirring): (Vector2<T>, T),
         sums: &mut [T; BODY],
     ) -> Felt<T> {
-        let mut seed = MOTION + BODY;
-        let law = walk.law.lift(&mut |number| {
-            seed += 1;
-            Read::seed(number, seed - 1)
-        });
+        let (law, count) = seeded(&walk.law, MOTION + BODY);
         let at = |v: Vector2<T>, first: usize| Vector2::new(Read::seed(v.x, first), Read::seed(v.y, first + 1));
         let turn = Turn { angle: Read::seed(frame.turn.angle, 4), rate: Read::seed(frame.turn.rate, 5) };
         let acceleration = Acceleration { linear: Vector2::null(), angular: Additive::null() };
         let inboard = Frame { place: at(frame.place, 0), velocity: at(frame.velocity, 2), acceleration, turn };
-        let mut k = MOTION;
-        let [x, y, mass, a, b, about_centre] = numbers.map(|number| {
-            k += 1;
-            Read::seed(number, k - 1)
-        });
+        let [x, y, mass, a, b, about_centre]: [Read<T>; BODY] =
+            core::array::from_fn(|k| Read::seed(numbers[k], MOTION + k));
         let (sine, cosine) = turn.angle.sin_cos();
         let inertia = Inertia { mass, centre: [a, b], about_centre };
         let none = Vector2::null();
@@ -109,7 +103,7 @@ where
         let slope =
             |k: usize| weight.x.mul_add(force.x.eps[k], weight.y.mul_add(force.y.eps[k], stirring * torque.eps[k]));
         sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
-        walk.of_law.1 = seed - MOTION - BODY;
+        walk.of_law.1 = count;
         walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
         let two = |first: usize| Vector2::new(slope(first), slope(first + 1));
         Felt { place: two(0), velocity: two(2), stirring: force.map(|x| x.re), turn: [slope(4), slope(5)] }

@@ -1,11 +1,10 @@
 //! The costate sweep in the plane: struts.
 
 use super::loads::{BODY, Felt};
-use crate::adjoint::struts::{self, BesideStruts, ByStrut, EndsSeen, OfStruts, ReversiblePoints};
-use crate::adjoint::{BodyLaw, OfLaw, ReversibleLoads};
-use crate::error::Fault;
+use crate::adjoint::struts::{BesideStruts, ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
+use crate::adjoint::{Alone, BodyLaw, OfLaw, ReversibleLoads};
 use crate::loading::{LoadLaw, Loading, Loads};
-use crate::mechanics::planar::{BodyMotion, Frame, JointMotion, Planar, Wrench};
+use crate::mechanics::planar::{Frame, JointMotion, Planar};
 use crate::relation::Additive;
 use crate::relation::planar::algebra::{add_scaled, dot, normal};
 use crate::scalar::Scalar;
@@ -16,7 +15,7 @@ use nalgebra::{SVector, Vector2};
 type Vector<T> = Vector2<T>;
 type Angular<T> = T;
 
-struts::struts!(Planar, 2);
+struts!(Planar, 2);
 
 impl<T: Scalar> ReversiblePoints<2> for Planar<T> {
     fn stirred_at(frame: &Frame<T>, at: [T; 2], (velocity, stirring): (Vector2<T>, T)) -> Vector2<T> {

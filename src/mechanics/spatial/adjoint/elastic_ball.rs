@@ -12,6 +12,7 @@
 
 use super::{OfJoint, Outboard, Pivot, Pulled, Stirred, Turning};
 use crate::adjoint::BodyLaw;
+use crate::adjoint::jets::seeded;
 use crate::adjoint::laws::{NUMBERS, ROTARY_NUMBERS};
 use crate::element::{Element, Explicit, Springs};
 use crate::lift::Lift;
@@ -56,11 +57,7 @@ where
     L: RotaryLaw<T> + Lift<T, ReadRotary<T>, Over: RotaryLaw<ReadRotary<T>>>,
 {
     fn pull_back(&self, position: &Rotation<T>, rate: &[T; 3], of_torque: &[T; 3]) -> [[T; 3]; 2 + ROTARY_NUMBERS / 3] {
-        let mut seed = 5;
-        let law = self.lift(&mut |number| {
-            seed += 1;
-            Jet::seed(number, seed)
-        });
+        let (law, _) = seeded(self, 6);
         // R exp(ψ~) near ψ = 0.
         let half = T::Real::of(0.5);
         let turn = core::array::from_fn::<_, 3, _>(|k| Jet::seed(T::zero(), k).scale(half));

@@ -5,6 +5,7 @@
 
 use super::felt::Felt;
 use crate::adjoint::ReversibleLoads;
+use crate::adjoint::jets::seeded;
 use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw};
 use crate::mechanics::spatial::body::Body;
@@ -62,19 +63,12 @@ where
         (weight, stirring): (Vector3<T>, Vector3<T>),
         sums: &mut [T; BODY],
     ) -> Felt<T> {
-        let mut seed = MOTION + BODY;
-        let law = walk.law.lift(&mut |number| {
-            seed += 1;
-            Read::seed(number, seed - 1)
-        });
+        let (law, count) = seeded(&walk.law, MOTION + BODY);
         let turn = Turn { attitude: turning(&frame.turn.attitude, 6), spin: seeds(frame.turn.spin, 9) };
         let acceleration = Acceleration { linear: zero(), angular: zero() };
         let inboard = Frame { place: seeds(frame.place, 0), velocity: seeds(frame.velocity, 3), acceleration, turn };
-        let mut k = MOTION;
-        let [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz] = numbers.map(|number| {
-            k += 1;
-            Read::seed(number, k - 1)
-        });
+        let [x, y, z, mass, a, b, c, xx, xy, xz, yx, yy, yz, zx, zy, zz]: [Read<T>; BODY] =
+            core::array::from_fn(|k| Read::seed(numbers[k], MOTION + k));
         let turned = |x, y, z| turn.attitude.apply(Vector3::new(x, y, z));
         let inertia = Inertia { mass, centre: [a, b, c], about_centre: [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] };
         let motion = BodyMotion { inboard, arm: turned(x, y, z), to_centre: turned(a, b, c), inertia };
@@ -82,7 +76,7 @@ where
         let slope = |k: usize| dot(weight, force.map(|x| x.eps[k])) + dot(stirring, torque.map(|x| x.eps[k]));
         let three = |first: usize| Vector3::new(slope(first), slope(first + 1), slope(first + 2));
         sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
-        walk.of_law.1 = seed - MOTION - BODY;
+        walk.of_law.1 = count;
         walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
         let (force, torque, spin) = (force.map(|x| x.re), torque.map(|x| x.re), three(9));
         // With turns of the body, its ω and its w.

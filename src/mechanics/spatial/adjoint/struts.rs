@@ -3,11 +3,10 @@
 use super::Turning;
 use super::felt::Felt;
 use super::read::BODY;
-use crate::adjoint::struts::{self, BesideStruts, ByStrut, EndsSeen, OfStruts, ReversiblePoints};
-use crate::adjoint::{BodyLaw, OfLaw, ReversibleLoads};
-use crate::error::Fault;
+use crate::adjoint::struts::{BesideStruts, ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
+use crate::adjoint::{Alone, BodyLaw, OfLaw, ReversibleLoads};
 use crate::loading::{LoadLaw, Loading, Loads};
-use crate::mechanics::spatial::{BodyMotion, Frame, JointMotion, Spatial, Turn, Wrench};
+use crate::mechanics::spatial::{Frame, JointMotion, Spatial, Turn};
 use crate::relation::Additive;
 use crate::relation::spatial::algebra::{cross_onto, zero};
 use crate::scalar::Scalar;
@@ -18,7 +17,7 @@ use nalgebra::{SVector, Vector3};
 type Vector<T> = Vector3<T>;
 type Angular<T> = Vector3<T>;
 
-struts::struts!(Spatial, 3);
+struts!(Spatial, 3);
 
 impl<T: Scalar> ReversiblePoints<3> for Spatial<T> {
     fn stirred_at(frame: &Frame<T>, at: [T; 3], (velocity, stirring): (Vector3<T>, Vector3<T>)) -> Vector3<T> {

@@ -38,23 +38,12 @@ impl<T: Scalar> LoadLaw<BodyMotion<T>> for Medium<T> {
 fn loads_that_read_the_motion_have_the_gradients_of_jets() {
     let (steps, coordinates, joints) = (6, 6, 8);
     let mut noise = Noise::new(17);
-    let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2, 0.6, 0.9]; // a rod, a rigid body, a bob
-    list.extend([12.0, 0.3, 0.4, -0.4, 40.0, 0.3]); // hinge, direction and spring of a slider, a weld
-    list.extend([0.2, 0.1, 0.3, 9.81]); // the root, gravity
+    let mut list = TREE.to_vec();
     list.extend([0.4, 7.0, 0.5, 0.8, 0.05]); // the law
     assert_eq!(list.len(), 27);
     list.extend(moving(&mut noise, coordinates, steps * joints));
-    let kinds = [
-        ("bodies", 12),
-        ("joints", 6),
-        ("place of the root", 2),
-        ("its angle", 1),
-        ("gravity", 1),
-        ("law", 5),
-        ("coordinates", coordinates),
-        ("rates", coordinates),
-        ("efforts", steps * joints),
-    ];
+    let mut kinds = OF_TREE.to_vec();
+    kinds.extend([("law", 5), ("coordinates", coordinates), ("rates", coordinates), ("efforts", steps * joints)]);
     gradients!(
         "loads",
         &kinds,
@@ -63,16 +52,7 @@ fn loads_that_read_the_motion_have_the_gradients_of_jets() {
         Rk4,
         steps,
         0.02,
-        |x| {
-            let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
-            let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
-            let bob = PointMass::<N>::new(x(10), x(11));
-            let hinge = ElasticHinge::rotary(x(12)).damped(x(13)).resting_at(x(14));
-            let piston = Slider::along(x(15)).with(Spring::new(x(16)));
-            let chain =
-                (hinge, rigid, Branch((Pin, bob)), Pin, rod, piston, rigid, hinge, rod, Weld::at(x(17)), rod, Pin, bob);
-            System::new(Clamped::at(x(18), x(19), x(20)), chain, Free).unwrap().with_gravity(x(21))
-        },
+        |x| { tree!(N, x) },
         under(5, |x| { Medium { drag: x(22), stiffness: x(23), anchor: [x(24), x(25)], brake: x(26) } })
     );
 }

@@ -7,7 +7,7 @@ use catena_oracle::Noise;
 
 /// What the macro below names.
 mod names {
-    pub(super) use super::{ROUNDING, Stiffening, agrees, alike, by_jets, moving, share};
+    pub(super) use super::{OF_TREE, ROUNDING, Stiffening, TREE, agrees, alike, by_jets, moving, share};
     pub(super) use catena::Scalar;
     pub(super) use catena::planar::*;
     pub(super) use catena::scalar::Jet;
@@ -122,6 +122,29 @@ impl<T: Scalar> SpringLaw<T> for Stiffening<T> {
     fn check(&self) -> Result<(), Fault> {
         Ok(())
     }
+}
+
+/// Numbers of [`tree`]: a rod, a rigid body, a bob; hinge, direction and spring of a slider, a weld; the root, gravity.
+const TREE: [f64; 22] = [
+    1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2, 0.6, 0.9, 12.0, 0.3, 0.4, -0.4, 40.0, 0.3, 0.2, 0.1, 0.3, 9.81,
+];
+/// What they are.
+const OF_TREE: [(&str, usize); 5] =
+    [("bodies", 12), ("joints", 6), ("place of the root", 2), ("its angle", 1), ("gravity", 1)];
+
+/// All bodies and joints, an arm, a clamped root at a place.
+macro_rules! tree {
+    ($N:ty, $x:expr) => {{
+        let x = $x;
+        let rod = Rod::<$N>::new(x(0), x(1), x(2), x(3));
+        let rigid = RigidBody::<$N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
+        let bob = PointMass::<$N>::new(x(10), x(11));
+        let hinge = ElasticHinge::rotary(x(12)).damped(x(13)).resting_at(x(14));
+        let piston = Slider::along(x(15)).with(Spring::new(x(16)));
+        let chain =
+            (hinge, rigid, Branch((Pin, bob)), Pin, rod, piston, rigid, hinge, rod, Weld::at(x(17)), rod, Pin, bob);
+        System::new(Clamped::at(x(18), x(19), x(20)), chain, Free).unwrap().with_gravity(x(21))
+    }};
 }
 
 /// What acts on bodies: `under` a law, or what is `pulled` by struts, listed with a law beside them.

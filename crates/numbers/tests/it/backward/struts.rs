@@ -2,7 +2,7 @@
 
 use super::loads::Medium;
 use super::names::*;
-use catena::sensitivity::Costate;
+use catena::sensitivity::{Checkpoints, Costate};
 
 /// Numbers of a strut between bodies, of one to the ground, and of a medium.
 const NUMBERS: [f64; 19] =
@@ -35,12 +35,10 @@ fn struts<T: Scalar>(bodies: [usize; 3], number: impl Fn(usize) -> T) -> ([Strut
 fn trees_under_struts_have_the_gradients_of_jets() {
     let (steps, coordinates, joints) = (5, 6, 8);
     let mut noise = Noise::new(17);
-    let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2, 0.6, 0.9]; // a rod, a rigid body, a bob
-    list.extend([12.0, 0.3, 0.4, -0.4, 40.0, 0.3]); // hinge, direction and spring of a slider, a weld
-    list.extend([0.2, 0.1, 0.3, 9.81]); // the root, gravity
+    let mut list = TREE.to_vec();
     list.extend(NUMBERS);
     list.extend(moving(&mut noise, coordinates, steps * joints));
-    let mut kinds = vec![("bodies", 12), ("joints", 6), ("place of the root", 2), ("its angle", 1), ("gravity", 1)];
+    let mut kinds = OF_TREE.to_vec();
     kinds.extend(KINDS);
     kinds.extend([("coordinates", coordinates), ("rates", coordinates), ("efforts", steps * joints)]);
     gradients!(
@@ -51,16 +49,7 @@ fn trees_under_struts_have_the_gradients_of_jets() {
         Rk4,
         steps,
         0.02,
-        |x| {
-            let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
-            let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
-            let bob = PointMass::<N>::new(x(10), x(11));
-            let hinge = ElasticHinge::rotary(x(12)).damped(x(13)).resting_at(x(14));
-            let piston = Slider::along(x(15)).with(Spring::new(x(16)));
-            let chain =
-                (hinge, rigid, Branch((Pin, bob)), Pin, rod, piston, rigid, hinge, rod, Weld::at(x(17)), rod, Pin, bob);
-            System::new(Clamped::at(x(18), x(19), x(20)), chain, Free).unwrap().with_gravity(x(21))
-        },
+        |x| { tree!(N, x) },
         pulled(19, |x| { struts([1, 5, 3], |k| x(22 + k)) })
     );
 }
@@ -157,7 +146,8 @@ fn a_spring_without_length_has_the_gradient_of_a_law() {
     alike("a spring", &[("gravity", 1)], &[strut.by_gravity().y], &[law.by_gravity().y], ROUNDING);
 }
 
-/// Up to an event, under error control and from few states as from all; a strut to a body that is not there is refused.
+/// Runs up to an event, under error control; on a tape and from few states as from all, bit for bit; a strut to a body that is not there is
+/// refused.
 #[test]
 fn runs_under_struts_are_runs_as_all() {
     let rod = Rod::uniform(1.0, 1.0);
@@ -191,6 +181,24 @@ fn runs_under_struts_are_runs_as_all() {
     let expected = (when(10.001) - when(9.999)) / 0.002;
     let found = gradient.by_struts()[0].stiffness;
     near(found, expected, 1e-6 * expected.abs());
+
+    let plan = Checkpoints { step: 0.05, steps: 4, every: 3 };
+    let mut backward = scene.backward(Rk4).under(cable(10.0));
+    let (mut all, mut few) = ([start; 5], vec![start; plan.states()]);
+    let (mut tape, mut end) = (vec![backward.tape(); 4], start);
+    let cost =
+        |step: usize, _: &_, by: &mut Costate<_>| if step == 4 { by.add(&[1.0, 0.5], &[0.2; 2]) } else { Ok(()) };
+    backward.run(&start, plan.step, plan.steps, &[], &mut all).unwrap();
+    let whole = backward.gradient(&[], &all, &mut [], cost).unwrap();
+    backward.run_on_tape(&start, plan.step, plan.steps, &[], &mut tape, &mut end).unwrap();
+    let taped = backward.gradient_on_tape(4, &tape, &end, &mut [], cost).unwrap();
+    backward.run_between(&start, plan, &[], &mut few).unwrap();
+    let between = backward.gradient_between(plan, &[], &few, &mut tape, &mut [], cost).unwrap();
+    assert!(whole.by_struts()[0].stiffness != 0.0);
+    for other in [taped, between] {
+        assert_eq!(other.by_struts(), whole.by_struts());
+        assert_eq!(other.by_position(), whole.by_position());
+    }
 
     let nowhere = Struts::of([Strut::to_ground((2, [1.0, 0.0]), [2.0, 1.0]).with_stiffness(1.0)]);
     let fault = scene.backward(Rk4).under(nowhere).run(&start, 0.01, 1, &[], &mut states).unwrap_err().fault;

@@ -155,9 +155,10 @@ fn implicit_rules_under_loads_have_the_gradients_of_jets() {
 fn closed_scenes_under_loads_have_the_gradients_of_jets() {
     with_room(|| {
         let mut parameters = bodies(2);
-        parameters.extend([0.3, 1.0, -0.5, 1.4, 0.5, -0.3]);
+        parameters.extend(CLOSED);
         parameters.extend(MEDIUM);
-        let kinds: Kinds = &[("bodies", 26), ("gravity", 3), ("axis", 3), ("tip", 3), ("law", 6)];
+        let mut kinds = OF_CLOSED.to_vec();
+        kinds.push(("law", 6));
         gradients!(
             "closed, under loads",
             kinds,
@@ -167,14 +168,7 @@ fn closed_scenes_under_loads_have_the_gradients_of_jets() {
             Rk4,
             2,
             0.02,
-            |x| {
-                let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
-                let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
-                let (main, side) = ((Ball, of(0), Ball, of(1)), (Ball, of(1), Ball, of(0)));
-                let chain = (of(1), Network::new(main, side, Revolute::about(vector(29))), Ball, of(0));
-                let root = Pinned::on([0.0; 3].map(N::constant));
-                System::new(root, chain, Pinned::at(vector(32))).unwrap().with_gravity(vector(26))
-            },
+            |x| { closed!(N, x) },
             under(6, |y| { Medium::of(y, 35) })
         );
     });

@@ -203,6 +203,23 @@ fn bodies(n: usize) -> Vec<f64> {
     list
 }
 
+/// Numbers of [`closed`] beside those of two bodies and gravity, an axis and a tip; and what all are.
+const CLOSED: [f64; 6] = [0.3, 1.0, -0.5, 1.4, 0.5, -0.3];
+const OF_CLOSED: [(&str, usize); 4] = [("bodies", 26), ("gravity", 3), ("axis", 3), ("tip", 3)];
+
+/// A window that a hinge closes, behind a body on a ball, and a tip that is held.
+macro_rules! closed {
+    ($N:ty, $x:expr) => {{
+        let x = $x;
+        let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+        let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+        let (main, side) = ((Ball, of(0), Ball, of(1)), (Ball, of(1), Ball, of(0)));
+        let chain = (of(1), Network::new(main, side, Revolute::about(vector(29))), Ball, of(0));
+        let root = Pinned::on([0.0; 3].map(<$N>::constant));
+        System::new(root, chain, Pinned::at(vector(32))).unwrap().with_gravity(vector(26))
+    }};
+}
+
 macro_rules! balls {
     ($n:expr, $method:expr, $steps:expr, $h:expr) => {{
         let n = $n;
