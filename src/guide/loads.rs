@@ -52,7 +52,8 @@
 //! | feet on the ground, in space | [`Contacts`](crate::spatial::Contacts) |
 //! | a law of one's own in a joint, known to implicit rules | [`SpringLaw`](crate::planar::SpringLaw) |
 //! | a spring between two points of bodies | [`Strut`](crate::planar::Strut) |
+//! | limits, thresholds, buffers: loads with a kink, by rules that keep their order | [`kinks`](crate::simulate::Simulation::kinks) of a run |
 //! | the instant of touching | an [event](crate::simulate::Simulation::event), then a new start |
 //!
 //! Contact by a spring is stiff: explicit rules shorten their steps while it lasts. What is proportional to a sign jumps, and error control
-//! then hunts for the jump: smooth it, as above.
+//! then hunts for the jump: smooth it, as above, or give it a joint with modes.

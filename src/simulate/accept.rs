@@ -14,6 +14,18 @@ use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
 use num_traits::{One, Zero};
 
+/// A step that is accepted.
+#[derive(Clone, Copy)]
+pub(super) struct Taken<R> {
+    /// Its size (s).
+    pub(super) size: R,
+    /// Whether it ends the run.
+    pub(super) last: bool,
+    /// Whether it was cut for a kink, and whether it ends at one.
+    pub(super) cut: bool,
+    pub(super) kink: bool,
+}
+
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
 where
     S: Space,
@@ -26,8 +38,8 @@ where
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
-    /// Tries steps until one is accepted; gives its size (s), and whether it is the last.
-    pub(super) fn accepted(&mut self) -> Result<(RealOf<S>, bool), Error> {
+    /// Tries steps until one is accepted.
+    pub(super) fn accepted(&mut self) -> Result<Taken<RealOf<S>>, Error> {
         let one = RealOf::<S>::one();
         loop {
             // Fixed steps end at multiples of their size, without the rounding of a running sum.
@@ -53,11 +65,16 @@ where
             {
                 return Err(self.given_up(error, tolerance));
             }
-            let outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
+            let mut outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
+            let mut taken = Taken { size, last, cut: false, kink: false };
+            if const { Self::KINKS > 0 } && outcome.is_ok() {
+                outcome = self.end_at_kink(&mut taken);
+            }
             let Control::Tolerance(tolerance) = self.plan.rule.control else {
                 outcome?;
-                return Ok((size, last));
+                return Ok(taken);
             };
+            let (tried, Taken { size, last, cut, .. }) = (size, taken);
             let error = self.judge(outcome, size, tolerance)?;
             let trials = &mut self.progress.trials;
             let accepts = trials.accepts(error);
@@ -80,8 +97,9 @@ where
             // No growth right after a rejection, and none from a step cut short by the end.
             let factor = if self.progress.careful || last { factor.min(one) } else { factor };
             self.progress.careful = false;
-            self.progress.size = size * factor;
-            return Ok((size, last));
+            // Nor says one cut for a kink how long those after it should be.
+            self.progress.size = if cut { tried } else { size * factor };
+            return Ok(taken);
         }
     }
 

@@ -1,5 +1,6 @@
 //! A run under way: its steps, samples by dense output, location of events.
 
+use super::accept::Taken;
 use super::crossing::{DEPARTED, crosses, crossing, departure, of_one_number};
 use super::now::{Find, settled};
 use super::{EventFunction, Now, Progress, Simulation, limits};
@@ -50,12 +51,12 @@ where
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
     /// How readings find accelerations, if the method leaves others.
-    const FIND: Option<Find<S, R, C, P, L>> = if K::SETTLED { None } else { Some(settled) };
+    pub(super) const FIND: Option<Find<S, R, C, P, L>> = if K::SETTLED { None } else { Some(settled) };
 
     /// Refuses what makes no run, and motions of another scene; whether joints of the start were [let go](Self::accelerated).
     fn check(&mut self) -> Result<bool, Error> {
         modes_by_numbers::<S::Scalar>(Self::MODES)?;
-        if const { <E as EventFunction<Now<'a, S, R, C, P, L>, S::Scalar>>::ON } {
+        if const { <E as EventFunction<Now<'a, S, R, C, P, L>, S::Scalar>>::ON || Self::KINKS > 0 } {
             of_one_number::<S::Scalar>()?;
         }
         // Positions may be those of another motion: driven coordinates keep their time.
@@ -157,7 +158,7 @@ where
         if self.progress.stopped || self.past.time >= self.end {
             return Ok(false);
         }
-        let (mut size, mut last) = self.accepted()?;
+        let Taken { mut size, mut last, kink, .. } = self.accepted()?;
         let cut = if const { Self::CUTS } { self.cut(size)? } else { None };
         if let Some(shorter) = cut {
             (size, last) = (shorter, false);
@@ -189,6 +190,10 @@ where
                     return Ok(self.stop());
                 }
             }
+        }
+        if const { Self::KINKS > 0 } && kink && cut.is_none() {
+            self.stepper.restart();
+            self.progress.mark = (self.next.time, 0);
         }
         self.value = next_value;
         core::mem::swap(&mut self.past, &mut self.next);
@@ -300,14 +305,14 @@ where
 
 /// One of the motions of a run under way.
 #[derive(Clone, Copy)]
-enum Shown {
+pub(super) enum Shown {
     Past,
     Next,
     Between,
 }
 
 impl Shown {
-    fn of<'m, M>(self, past: &'m M, next: &'m M, between: &'m M) -> &'m M {
+    pub(super) fn of<'m, M>(self, past: &'m M, next: &'m M, between: &'m M) -> &'m M {
         match self {
             Self::Past => past,
             Self::Next => next,

@@ -18,7 +18,7 @@ use crate::scalar::Scalar;
 /// [reflected inertia](Self::reflected_inertia) to the joint. A joint in [body axes](crate::robot) takes it as `geared`.
 ///
 /// Implicit rules read it at the motion predicted, as any load. The torque is continuous, its slope is not at the limits: rules of any
-/// order meet these with order two, as steps of a controller do.
+/// order meet these with order two, as steps of a controller do, unless a run ends steps at the [`kinks`](Self::kinks).
 ///
 /// ```
 /// use catena::planar::Motor;
@@ -66,10 +66,40 @@ impl<T: Scalar> Motor<T> {
     /// Torque in the joint (N·m, N) that the motor gives of the one that is wanted there, at a rate of the joint (rad/s, m/s). Both must
     /// be finite, and [`check`](Self::check) is the caller's to ask: no scene knows the motor.
     pub fn torque(&self, wanted: T, rate: T) -> T {
-        let share = rate * self.ratio / self.free;
-        let bound = |left: T| above(least(self.peak, self.stall * left)) * self.ratio;
-        let [forward, backward] = [bound(T::one() - share), bound(T::one() + share)];
+        let [forward, backward] = self.limits(rate * self.ratio / self.free);
         least(forward, -least(backward, -wanted))
+    }
+
+    /// Functions that are zero where the torque has a kink, for [`Simulation::kinks`](crate::simulate::Simulation::kinks): where the limit of
+    /// either sign is reached or left, where that limit begins to fall with speed, and where it is nothing.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// // A wheel (kg·m²) under a torque that grows (N·m/s): limited from 1 s on, and from 2 s on as its speed allows.
+    /// let motor = Motor::new(2.0, 6.0).stalling_at(4.0);
+    /// let wanted = |time: f64| 2.0 * time;
+    /// let wheel = System::new(Pinned::origin(), RigidBody::new(1.0, 1.0, [0.0; 2], [0.0; 2]), Free)?;
+    /// let loads = Loads::none().in_joints(|time, _, motion: &JointMotion<f64>| motor.torque(wanted(time), motion.rate()));
+    /// let run = wheel.simulation(Dop853::step(0.3)).loads(&loads).kinks(|now| {
+    ///     let (rate, ()) = *now.motion().rate();
+    ///     motor.kinks(wanted(now.time()), rate)
+    /// });
+    /// let end = run.run(wheel.motion(), 3.0, |_| ())?.motion;
+    /// let exact = 6.0 - 3.0 * (-2.0 / 3.0 * 1.0_f64).exp(); // (rad/s)
+    /// assert!((end.rate().0 - exact).abs() < 1e-9);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    pub fn kinks(&self, wanted: T, rate: T) -> [T; 6] {
+        let share = rate * self.ratio / self.free;
+        let ([forward, backward], one) = (self.limits(share), T::one());
+        let falling = one - self.peak / self.stall;
+        [wanted - forward, wanted + backward, share - falling, share + falling, share - one, share + one]
+    }
+
+    /// How much torque in the joint (N·m, N) it gives at most, forward and backward, at a share of the free speed.
+    fn limits(&self, share: T) -> [T; 2] {
+        let bound = |left: T| above(least(self.peak, self.stall * left)) * self.ratio;
+        [bound(T::one() - share), bound(T::one() + share)]
     }
 
     /// Inertia of the rotor as the joint feels it (kg·m², kg): times the square of the ratio.

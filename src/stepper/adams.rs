@@ -291,4 +291,8 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for AdamsStepper<D, L> {
     fn restore(&mut self, memory: &Self::Memory) {
         self.memory.clone_from(memory);
     }
+
+    fn restart(&mut self) {
+        (self.memory.known, self.memory.written) = (0, false);
+    }
 }

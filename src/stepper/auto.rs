@@ -267,6 +267,10 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
         self.multi.restore(&memory.multi);
         self.stiff.restore(&memory.stiff);
     }
+
+    fn restart(&mut self) {
+        self.multi.restart();
+    }
 }
 
 /// What [`AutoStepper`] carries from step to step.

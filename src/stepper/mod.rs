@@ -287,4 +287,7 @@ pub trait Stepper<D: Dynamics<L>, L> {
 
     /// Goes on from what another one carried.
     fn restore(&mut self, memory: &Self::Memory);
+
+    /// Forgets what it carries that steps after a kink of a load must not read.
+    fn restart(&mut self) {}
 }

@@ -319,4 +319,8 @@ impl<D: Dynamics<L>, L> Stepper<D, L> for VcabmStepper<D, L> {
         self.memory.clone_from(memory);
         self.memory.forgive();
     }
+
+    fn restart(&mut self) {
+        self.memory.forget();
+    }
 }

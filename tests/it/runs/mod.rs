@@ -8,6 +8,7 @@ mod driven_sliders;
 mod endless_runs;
 mod from_events;
 mod implicit_forces;
+mod kinks;
 mod laws_of_users;
 mod named_runs;
 mod references;

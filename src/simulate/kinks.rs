@@ -1,0 +1,166 @@
+//! Where a load has a kink within a step, which ends there.
+
+use super::accept::Taken;
+use super::crossing::{crosses, crossing, departure};
+use super::drive::{Running, Shown};
+use super::{EventFunction, Now};
+use crate::element::{Element, Loading, RealOf, Space};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::scalar::{Elementary, Real, Scalar};
+use crate::stepper::Stepper;
+use crate::system::{Runs, System};
+use crate::time::Control;
+use core::cell::OnceCell;
+
+/// Under error control a step whose kink lies beyond this share of what was tried ends before it, at a share of the way.
+const CLOSE: f64 = 0.15;
+const NEAR: f64 = 0.9;
+/// The share of its value before at which a function is about zero.
+const ABOUT: f64 = 1e-2;
+/// By how much more than what ends a step at zero a function may differ from zero where the next one begins, beside its end.
+const BEGUN: f64 = 64.0;
+
+/// A function that crosses zero within a step: which one, and where.
+struct Crossing {
+    number: usize,
+    /// The share of the step from which it is looked at, and its value there.
+    from: (f64, f64),
+    /// Its value at the end.
+    end: f64,
+    /// The share at which dense output has it zero.
+    share: f64,
+}
+
+impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    L: Loading<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
+    K: Stepper<&'a System<S, R, C, P>, L>,
+    E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
+    O: FnMut(&Now<'_, S, R, C, P, L>),
+{
+    /// Number of functions at whose zeros steps end.
+    pub(super) const KINKS: usize = <E as EventFunction<Now<'a, S, R, C, P, L>, S::Scalar>>::KINKS;
+
+    /// Up to this share of its value before, a function that ends a step is zero there: what a step errs by that is of higher order.
+    fn nothing() -> f64 {
+        0.05 * RealOf::<S>::EPSILON.sqrt().as_f64()
+    }
+
+    /// Ends a trial step where the first of all functions crosses zero, if one does: by steps made anew, so that the rule's order is that of
+    /// the place found.
+    pub(super) fn end_at_kink(&mut self, step: &mut Taken<RealOf<S>>) -> Result<(), Error> {
+        if let Control::Tolerance(_) = self.plan.rule.control {
+            let Some(about) = self.first_kink(step.size, ABOUT)? else { return Ok(()) };
+            // A step that is long leads near that place first: its stages err by more than its end, and would lie beyond. If it was far
+            // too long, dense output is wrong: a place nearby is looked for in a step that is short.
+            let far = about.share > CLOSE;
+            let share = if far { NEAR * about.share } else { (2.0 * about.share).min(1.0) };
+            (step.cut, step.last) = (true, step.last && share >= 1.0);
+            if share < 1.0 {
+                step.size *= RealOf::<S>::of(share);
+                self.make_anew(step.size)?;
+            }
+            if far {
+                return Ok(());
+            }
+        }
+        // A step made shorter may have another kink before its end, of which dense output of the longer one did not know.
+        for _ in 0..=Self::KINKS {
+            let Some(found) = self.first_kink(step.size, Self::nothing())? else { break };
+            (step.cut, step.kink) = (true, true);
+            if found.share >= 1.0 {
+                break;
+            }
+            (step.size, step.last) = (self.made_up_to(&found, step.size)?, false);
+        }
+        Ok(())
+    }
+
+    /// Makes the step anew, of another size (s).
+    fn make_anew(&mut self, size: RealOf<S>) -> Result<(), Error> {
+        let memory = self.stepper.memory();
+        self.stepper.restore(&memory);
+        self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next)
+    }
+
+    /// The function that crosses zero first, by dense output: there it is nothing beside its value before.
+    fn first_kink(&mut self, size: RealOf<S>, nothing: f64) -> Result<Option<Crossing>, Error> {
+        let begun = self.progress.mark.1 == 0;
+        let mut first: Option<Crossing> = None;
+        for number in 0..Self::KINKS {
+            let [before, end] = [self.kink(number, Shown::Past)?, self.kink(number, Shown::Next)?];
+            let from = if begun {
+                departure([before, end], BEGUN * Self::nothing(), &mut |theta| self.kink_at(number, size, theta))?
+            } else {
+                (0.0, before)
+            };
+            let share = if end.abs() <= Self::nothing() * from.1.abs() {
+                1.0
+            } else if crosses([from.1, end]) {
+                let share = |part: f64| from.0 + (1.0 - from.0) * part;
+                let nothing = nothing * from.1.abs();
+                share(crossing([from.1, end], &mut |part| {
+                    self.kink_at(number, size, share(part))
+                        .map(|value| if value.abs() <= nothing { 0.0 } else { value })
+                })?)
+            } else {
+                continue;
+            };
+            if first.as_ref().is_none_or(|first| share < first.share) {
+                first = Some(Crossing { number, from, end, share });
+            }
+        }
+        Ok(first)
+    }
+
+    /// Makes the step anew, up to where a function is zero; gives its size (s).
+    fn made_up_to(&mut self, found: &Crossing, size: RealOf<S>) -> Result<RealOf<S>, Error> {
+        let Crossing { number, from, end, share } = *found;
+        let nothing = Self::nothing() * from.1.abs();
+        let mut made = |theta: f64| {
+            self.make_anew(size * RealOf::<S>::of(theta))?;
+            let value = self.kink(number, Shown::Next)?;
+            Ok::<_, Error>(if value.abs() <= nothing { 0.0 } else { value })
+        };
+        let value = made(share)?;
+        let (low, high) = if crosses([from.1, value]) { (from, (share, value)) } else { ((share, value), (1.0, end)) };
+        if value == 0.0 {
+            return Ok(size * RealOf::<S>::of(share));
+        }
+        let within = |part: f64| low.0 + (high.0 - low.0) * part;
+        let share = within(crossing([low.1, high.1], &mut |part| made(within(part)))?);
+        Ok(size * RealOf::<S>::of(share))
+    }
+
+    /// The value of one of the functions at a share of the step.
+    fn kink_at(&mut self, number: usize, size: RealOf<S>, theta: f64) -> Result<f64, Error> {
+        self.interpolate(size, theta);
+        self.kink(number, Shown::Between)
+    }
+
+    /// The value of one of the functions.
+    ///
+    /// # Errors
+    /// [`Fault::NotFinite`] where it is not a number, whose sign says nothing.
+    fn kink(&mut self, number: usize, which: Shown) -> Result<f64, Error> {
+        let Self { plan, past, next, between, .. } = self;
+        let stepped = which.of(past, next, between);
+        let (find, found) = (Self::FIND, OnceCell::new());
+        let now = Now { system: plan.system, stepped, loads: plan.loads, event: false, find, found };
+        let (mut count, mut value) = (0, f64::NAN);
+        plan.event.kinks(&now, &mut |told| {
+            if count == number {
+                value = told.real().as_f64();
+            }
+            count += 1;
+        });
+        let fault = Fault::NotFinite { parameter: "value of a function of kinks" };
+        if value.is_nan() { Err(Error::new(fault).at_time(stepped.time.as_f64())) } else { Ok(value) }
+    }
+}
