@@ -77,6 +77,11 @@ impl<T: Scalar> Tie<T> {
     fn missed(&self, [follower, leader]: [T; 2]) -> T {
         follower - self.ratio * leader
     }
+
+    /// How much both numbers say: what they miss is rounding beside it where the one follows from the other anyhow.
+    fn measure(&self, [follower, leader]: [T; 2]) -> T::Real {
+        follower.real().abs() + (self.ratio * leader).real().abs()
+    }
 }
 
 /// Couplings of a scene's joints, beside other loads.
@@ -86,13 +91,14 @@ impl<T: Scalar> Tie<T> {
 /// couplings cost `K` + 1 sweeps where there was one (counted as one by [`Run`](crate::simulate::Run)), and one more in scenes whose joints stick or
 /// strike stops. (In scenes with vectors they allocate.) All rules know them, implicit ones too, events, dense output and readings: internal forces contain λ. Accelerations are
 /// coupled to rounding, and so are motions that begin so, for rules add multiples of accelerations up: what they miss is checked where a
-/// run begins, and not put back.
+/// run begins, and not put back. Where loops close or a tip is held, couplings and closures are put back in turns, by `K` + 1 sweeps a turn, and
+/// accelerations take one sweep more; [`assembled`](crate::system::System::assembled) under couplings finds a start.
 ///
 /// Joints have one coordinate that is relative to the inboard body: `Revolute`, `Slider` and `ElasticHinge` in the plane, `Revolute` and
 /// `Prismatic` in space, [`Hinge`](crate::robot::Hinge) and [`Slide`](crate::robot::Slide) of robots, with springs, friction or stops or without, and joints of one's
 /// own. The angle of a `Pin` is that of its body, so that it is refused.
 ///
-/// [`Fault::Shape`](crate::Fault::Shape) in a scene with vectors of other lengths; [`Fault::Unsupported`](crate::Fault::Unsupported) where loops are closed or a tip is held, in equilibria, modes, transfer matrices and the scheme of
+/// [`Fault::Shape`](crate::Fault::Shape) in a scene with vectors of other lengths; [`Fault::Unsupported`](crate::Fault::Unsupported) in equilibria, modes, transfer matrices and the scheme of
 /// [`paper`](crate::paper). Gradients backward and Taylor series do not compile with couplings; over numbers with derivatives they go forward.
 ///
 /// ```
@@ -160,19 +166,41 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
 
     /// Forces λ of couplings, from accelerations without them and by a unit of each.
     pub(crate) fn balancing<const N: usize>(&self, free: &[T; N], responses: &[[T; N]; K]) -> [T; K] {
-        let missed =
-            |list: &[T; N]| self.missing(self.pairs(|tie| tie.rates, |visit| list.iter().for_each(|x| visit(*x))));
-        solved(responses.each_ref().map(missed), missed(free).map(|missed| -missed))
+        let pairs = |list: &[T; N]| self.pairs(|tie| tie.rates, |visit| list.iter().for_each(|x| visit(*x)));
+        let missed = |list: &[T; N]| self.missing(pairs(list));
+        let measures = core::array::from_fn(|k| self.ties[k].measure(pairs(&responses[k])[k]));
+        solved(responses.each_ref().map(missed), measures, missed(free).map(|missed| -missed))
+    }
+
+    /// How much a response moves follower and leader of a coupling.
+    fn moved<V: Rate<T>>(&self, k: usize, response: &V) -> T::Real {
+        self.ties[k].measure(self.rates(response)[k])
+    }
+
+    /// Positions of followers and leaders.
+    fn places<P: Position<T>>(&self, position: &P) -> [[T; 2]; K] {
+        self.pairs(|tie| tie.coordinates, |visit| position.visit(&mut |x| visit(x)))
+    }
+
+    /// Rates, or accelerations, of followers and leaders.
+    fn rates<V: Rate<T>>(&self, rate: &V) -> [[T; 2]; K] {
+        self.pairs(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x)))
+    }
+
+    /// By how much followers are not where their leaders have them.
+    fn apart<P: Position<T>>(&self, position: &P) -> [T; K] {
+        let missed = self.missing(self.places(position));
+        core::array::from_fn(|k| missed[k] - self.ties[k].offset)
     }
 
     /// By how much the rates, or accelerations, of followers miss those that their leaders ask of them.
     fn missed<V: Rate<T>>(&self, rate: &V) -> [T; K] {
-        self.missing(self.pairs(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x))))
+        self.missing(self.rates(rate))
     }
 
     /// Lets followers of what does not move, and what leads such followers, be still to the last digit, where without forces they miss so much.
     fn still<V: Rate<T>>(&self, acceleration: &mut V, missed: [T; K]) {
-        let pairs = self.pairs(|tie| tie.rates, |visit| acceleration.visit(&mut |x| visit(x)));
+        let pairs = self.rates(acceleration);
         for ((tie, pair), missed) in self.ties.iter().zip(pairs).zip(missed) {
             let rounding = Elementary::sqrt(T::Real::EPSILON) * (T::Real::one() + missed.real().abs());
             for (place, [moves, other]) in tie.rates.into_iter().zip([pair, [pair[1], pair[0]]]) {

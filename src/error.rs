@@ -163,9 +163,9 @@ pub enum Fault {
     },
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
     SingularTransfer,
-    /// The tip cannot be brought to where it is held, or the ends of a loop to each other, from this guess.
+    /// The tip cannot be brought to where it is held, the ends of a loop to each other, or joints to where couplings have them, from this guess.
     NotClosed {
-        /// Residual of the closures (m, or rad for an angle).
+        /// Residual of the closures or couplings (m, or rad for an angle).
         residual: f64,
     },
     /// The tip is not where it is held, or the ends of a loop are apart, by more than steps close: no run begins there.

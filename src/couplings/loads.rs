@@ -11,7 +11,50 @@ use crate::scalar::{Elementary, Real, Scalar};
 use crate::transfer::{Efforts, FromEfforts};
 use num_traits::{One, Zero};
 
+/// By so many roundings followers may miss their leaders where a motion is closed.
+const ROUNDINGS: f64 = 8.0;
+
+/// What sweeps answer without couplings, and to the force of each.
+struct Answers<T: Scalar, V, const K: usize> {
+    /// Accelerations without.
+    free: V,
+    /// Forces (N·m, N), and what each adds.
+    sizes: [T::Real; K],
+    responses: [V; K],
+}
+
+/// Adds a share of each response.
+fn along<T: Scalar, V: Rate<T>, const K: usize>(sum: &mut V, responses: [V; K], shares: [T; K]) {
+    for (mut response, share) in responses.into_iter().zip(shares) {
+        response.replace(&mut |x| x * share);
+        sum.add(&response);
+    }
+}
+
 impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
+    /// What sweeps answer.
+    fn answers<V: Rate<T>>(&self, acceleration: &mut V, sweep: &mut impl FnMut(&Self, &mut V)) -> Answers<T, V, K> {
+        let one = T::Real::one();
+        sweep(&self.pulling([T::zero(); K]), acceleration);
+        let (free, missed) = (acceleration.clone(), self.missed(acceleration));
+        // Of forces that are as large as those sought no digits are lost in differences.
+        let sizes: [_; K] = core::array::from_fn(|k| self.ties[k].inertia * (one + missed[k].real().abs()));
+        let responses: [V; K] = core::array::from_fn(|k| {
+            sweep(&self.pulling(unit(k, T::constant(sizes[k]))), acceleration);
+            let mut response = free.clone();
+            response.mix_1(acceleration, (-one, &free));
+            response
+        });
+        Answers { free, sizes, responses }
+    }
+
+    /// The shares of responses that undo what is missed.
+    fn solved<V: Rate<T>>(&self, responses: &[V; K], missed: [T; K]) -> [T; K] {
+        let columns = responses.each_ref().map(|response| self.missed(response));
+        let measures = core::array::from_fn(|k| self.moved(k, &responses[k]));
+        solved(columns, measures, missed.map(|missed| -missed))
+    }
+
     /// These loads with forces λ.
     pub(super) fn pulling(&self, forces: [T; K]) -> Self {
         Self { forces, ..self.clone() }
@@ -63,8 +106,8 @@ where
         self.others.check(bodies, joints)
     }
     fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
-        let places = self.pairs(|tie| tie.coordinates, |visit| position.visit(&mut |x| visit(x)));
-        let rates = self.pairs(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x)));
+        let places = self.places(position);
+        let rates = self.rates(rate);
         for ((tie, place), rate) in self.ties.iter().zip(places).zip(rates) {
             for (pair, offset) in [(place, tie.offset), (rate, S::Scalar::zero())] {
                 let missed = (tie.missed(pair) - offset).real().abs();
@@ -76,33 +119,48 @@ where
         }
         Ok(())
     }
-    fn accelerated<V: Rate<S::Scalar>>(&self, moded: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
+    fn accelerated<V: Rate<S::Scalar>>(&self, read: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
         if self.given {
             return sweep(self, acceleration);
         }
-        let one = RealOf::<S>::one();
-        sweep(&self.pulling([S::Scalar::zero(); K]), acceleration);
-        let (free, missed) = (acceleration.clone(), self.missed(acceleration));
-        // Of forces that are as large as those sought no digits are lost in differences.
-        let sizes: [_; K] = core::array::from_fn(|k| self.ties[k].inertia * (one + missed[k].real().abs()));
-        let responses: [V; K] = core::array::from_fn(|k| {
-            sweep(&self.pulling(unit(k, S::Scalar::constant(sizes[k]))), acceleration);
-            let mut response = free.clone();
-            response.mix_1(acceleration, (-one, &free));
-            response
-        });
-        let columns = responses.each_ref().map(|response| self.missed(response));
-        let shares = solved(columns, missed.map(|missed| -missed));
-        if moded {
-            // What is told of modes is not linear in forces.
+        let Answers { free, sizes, responses } = self.answers(acceleration, &mut sweep);
+        let missed = self.missed(&free);
+        let shares = self.solved(&responses, missed);
+        if read {
+            // What is told of modes is not linear in forces, and closure forces are those of the last sweep.
             let forces = core::array::from_fn(|k| shares[k].scale(sizes[k]));
             sweep(&self.pulling(forces), acceleration);
             return self.still(acceleration, missed);
         }
         acceleration.set(&free);
-        for (mut response, share) in responses.into_iter().zip(shares) {
-            response.replace(&mut |x| x * share);
-            acceleration.add(&response);
+        along(acceleration, responses, shares);
+    }
+    fn rejoined<P: Position<S::Scalar>>(
+        &self,
+        position: &mut P,
+        rate: &mut P::Rate,
+        mut sweep: impl FnMut(&Self, &P, &P::Rate, &mut P::Rate),
+    ) -> bool {
+        let (apart, parting) = (self.apart(position), self.missed(rate));
+        let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS);
+        let nothing = |missed: &[S::Scalar; K], pairs: [[S::Scalar; 2]; K]| {
+            let mut all = self.ties.iter().zip(missed).zip(pairs);
+            all.all(|((tie, missed), pair)| missed.real().abs() <= rounding * (RealOf::<S>::one() + tie.measure(pair)))
+        };
+        let there = nothing(&apart, self.places(position)) && nothing(&parting, self.rates(rate));
+        // Derivatives follow real parts.
+        if there && size_of::<S::Scalar>() == size_of::<RealOf<S>>() {
+            return true;
         }
+        let mut found = rate.clone();
+        let Answers { responses, .. } =
+            self.answers(&mut found, &mut |loads, found| sweep(loads, &*position, &*rate, found));
+        let mut step = rate.clone();
+        step.replace(&mut |_| S::Scalar::zero());
+        along(&mut step, responses.clone(), self.solved(&responses, apart));
+        position.displace(&step);
+        let shares = self.solved(&responses, parting);
+        along(rate, responses, shares);
+        there
     }
 }

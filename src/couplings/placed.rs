@@ -72,6 +72,9 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
         let (mut free, mut moved) = (still.rate.clone(), still.rate.clone());
         let Motion { time, position, rate, .. } = &still;
         let given = |forces| Self { given: true, ..self.pulling(forces) };
+        if scene.accelerate(&mut still.clone(), &given([T::zero(); K]), &mut workspace).is_err() {
+            return Ok(()); // where closures do not hold a scene it says nothing of itself
+        }
         scene.accelerations(*time, position, rate, &given([T::zero(); K]), &mut workspace, &mut free);
         let mut inertias = [T::Real::one(); K];
         for (k, inertia) in inertias.iter_mut().enumerate() {

@@ -2,17 +2,20 @@
 
 use crate::scalar::{Real, Scalar};
 
-/// What of its diagonal a pivot must keep, or it says nothing that others do not.
+/// What of its measure a pivot must keep, or it says nothing that others do not.
 const LEAST: f64 = 1e-10;
 
 /// The solution x of Σₖ xₖ aₖ = b, by columns aₖ, by Gauss without exchanges, for couplings are positive definite. An unknown whose equation
-/// follows from others, or moves nothing, is zero.
-pub(super) fn solved<T: Scalar, const K: usize>(mut columns: [[T; K]; K], mut b: [T; K]) -> [T; K] {
-    let diagonal: [T::Real; K] = core::array::from_fn(|k| columns[k][k].real().abs());
+/// follows from others, or moves nothing beside its measure, is zero.
+pub(super) fn solved<T: Scalar, const K: usize>(
+    mut columns: [[T; K]; K],
+    measures: [T::Real; K],
+    mut b: [T; K],
+) -> [T; K] {
     let mut inverses = [T::zero(); K];
     for k in 0..K {
         let pivot = columns[k][k];
-        if pivot.real().abs() <= diagonal[k] * T::Real::of(LEAST) {
+        if pivot.real().abs() <= measures[k] * T::Real::of(LEAST) {
             continue;
         }
         inverses[k] = pivot.recip();

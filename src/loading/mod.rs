@@ -64,12 +64,24 @@ pub trait Loading<S: Space> {
         &[]
     }
 
-    /// Finds accelerations by a sweep under loads; by several, where forces hang on these. Where joints have modes (`moded`), the last one is under
-    /// the forces found.
+    /// Finds accelerations by a sweep under loads; by several, where forces hang on these. The last one is under the forces found where more is
+    /// read of it than accelerations (`read`): what is told of joints with modes, closure forces.
     #[inline(always)]
-    fn accelerated<V: Rate<S::Scalar>>(&self, moded: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
-        let _ = moded;
+    fn accelerated<V: Rate<S::Scalar>>(&self, read: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
+        let _ = read;
         sweep(self, acceleration);
+    }
+
+    /// Moves joints to where these loads hold them, and makes them as fast, where closures are closed: along what forces between them cause, by
+    /// sweeps. Gives whether they were there.
+    fn rejoined<P: Position<S::Scalar>>(
+        &self,
+        position: &mut P,
+        rate: &mut P::Rate,
+        sweep: impl FnMut(&Self, &P, &P::Rate, &mut P::Rate),
+    ) -> bool {
+        let _ = (position, rate, sweep);
+        true
     }
 
     /// Refuses positions and rates that are not as these loads hold them.

@@ -20,7 +20,7 @@ pub(super) fn complete<D: Dynamics<L>, L>(
     };
     if D::CLOSED {
         sweep(between, workspace);
-        scene.project(between, workspace);
+        scene.project(between, loads, workspace);
     }
     sweep(between, workspace);
     1 + usize::from(D::CLOSED)

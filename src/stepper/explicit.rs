@@ -173,7 +173,7 @@ impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> 
             next.position.retract_rate(&past.position, &mut next.rate);
         }
         // The gains of the last stage serve to project, so that the sweep that follows sees a closed scene.
-        self.scene.project(next, &mut self.workspace);
+        self.scene.project(next, loads, &mut self.workspace);
         let Motion { time, position, rate, acceleration, multipliers } = next;
         *multipliers = self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
         self.sweeps += 1;

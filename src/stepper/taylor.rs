@@ -201,7 +201,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
             // Closed through gains of its own, as between steps.
             let Motion { time, position, rate, acceleration, .. } = &mut *next;
             self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
-            self.scene.project(next, &mut self.workspace);
+            self.scene.project(next, loads, &mut self.workspace);
             self.sweeps += 1;
         }
         self.ahead.copy_state(next);

@@ -108,7 +108,7 @@ impl<D: Dynamics<L>, L> VcabmStepper<D, L> {
         if D::Position::CURVED {
             next.position.retract_rate(&past.position, &mut next.rate);
         }
-        start.scene.project(next, &mut start.workspace);
+        start.scene.project(next, loads, &mut start.workspace);
         if !*controlled {
             let Motion { time, position, rate, acceleration, multipliers } = next;
             *multipliers = start.scene.accelerations(*time, position, rate, loads, &mut start.workspace, acceleration);

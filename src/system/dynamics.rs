@@ -54,10 +54,11 @@ pub trait Dynamics<L> {
     ) -> Held<Self, L>;
 
     /// Puts the tip of a motion back where it is held, position and velocity, by the least correction of its coordinates, through
-    /// the gains of the last sweep (which took place near this motion). Nothing where the tip is free.
+    /// the gains of the last sweep (which took place near this motion), and where loads couple joints these, too. Nothing where the tip is free.
     fn project(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        loads: &L,
         workspace: &mut Self::Workspace,
     );
 
@@ -146,6 +147,8 @@ pub trait StiffDynamics<L>: Dynamics<L> {
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        springs: Implicit<<Self::Scalar as Scalar>::Real>,
+        loads: &L,
         workspace: &mut Self::StiffWorkspace,
     );
 }

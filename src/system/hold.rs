@@ -115,11 +115,14 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let mut last = RealOf::<S>::INFINITY;
         for pass in 0..CORRECTIONS {
             let mut corrected = motion.clone();
-            self.project(&mut corrected, workspace);
+            self.project(&mut corrected, loads, workspace);
             let step = self.correction(motion, &corrected);
             if step <= real(SHARE) {
                 *motion = corrected;
             } else if const { Self::LOOPED } {
+                if const { L::COUPLED } {
+                    self.accelerate(motion, loads, workspace)?; // the gains of where it is
+                }
                 self.assembly_step(motion, real(SHARE), workspace);
             } else {
                 self.approach(motion);
@@ -138,6 +141,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 return Ok(());
             }
             last = step;
+        }
+        if let Err(Error { fault: Fault::NotAssembled { residual }, .. }) = self.suited(motion, loads) {
+            return Err(Error::new(Fault::NotClosed { residual }).at_time(motion.time.as_f64()));
         }
         let (residual, place) = self.largest_residual(motion, Level::Place);
         Err(Error::new(Fault::NotClosed { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
@@ -165,7 +171,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 continue;
             }
             let mut corrected = now.clone();
-            self.project(&mut corrected, workspace);
+            self.project(&mut corrected, loads, workspace);
             *step = self.correction(&now, &corrected);
             now = corrected;
         }

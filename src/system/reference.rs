@@ -48,9 +48,10 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     fn project(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        loads: &L,
         workspace: &mut Self::Workspace,
     ) {
-        D::project(self, motion, workspace)
+        D::project(self, motion, loads, workspace)
     }
 
     #[inline]
@@ -136,8 +137,10 @@ impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        springs: Implicit<<Self::Scalar as Scalar>::Real>,
+        loads: &L,
         workspace: &mut Self::StiffWorkspace,
     ) {
-        D::project_stiff(self, motion, workspace)
+        D::project_stiff(self, motion, springs, loads, workspace)
     }
 }

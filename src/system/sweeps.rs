@@ -23,6 +23,9 @@ use crate::walks::fits::gains_fit;
 use crate::walks::independent::independent;
 use crate::walks::travel::show;
 
+/// Turns of closing loops and of joining what is coupled.
+const MOST_TURNS: usize = 6;
+
 impl<S, R, C, P, L> Dynamics<L> for System<S, R, C, P>
 where
     S: Space,
@@ -50,10 +53,6 @@ where
     }
 
     fn admits(&self, loads: &L) -> Result<(), Error> {
-        if const { L::COUPLED && Self::CLOSED > 0 } {
-            let what = "couplings of joints where loops close or a tip is held";
-            return Err(Error::new(Fault::Unsupported { what }));
-        }
         self.loadable(loads)
     }
 
@@ -73,8 +72,8 @@ where
         workspace.multipliers
     }
 
-    fn project(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::Workspace) {
-        self.project_by(motion, workspace);
+    fn project(&self, motion: &mut MotionOf<S, R, C, P>, loads: &L, workspace: &mut Self::Workspace) {
+        self.project_coupled(motion, Explicit, loads, workspace);
     }
 
     fn assembly_step(&self, motion: &mut MotionOf<S, R, C, P>, share: RealOf<S>, workspace: &mut Self::Workspace) {
@@ -240,8 +239,14 @@ where
         workspace.multipliers
     }
 
-    fn project_stiff(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::StiffWorkspace) {
-        self.project_by(motion, workspace);
+    fn project_stiff(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        springs: Implicit<RealOf<S>>,
+        loads: &L,
+        workspace: &mut Self::StiffWorkspace,
+    ) {
+        self.project_coupled(motion, springs, loads, workspace);
     }
 }
 
@@ -270,9 +275,45 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         };
         // A constant asks, for behind a call of `accelerated` a sweep is compiled otherwise: 1 % more instructions of some.
         if const { W::Loads::COUPLED } {
-            loads.accelerated(PositionOf::<S, R, C>::MODES, acceleration, swept);
+            loads.accelerated(PositionOf::<S, R, C>::MODES || Self::CLOSED > 0, acceleration, swept);
         } else {
             swept(loads, acceleration);
+        }
+    }
+
+    /// Puts a motion back where it is closed, and, where loads couple joints, where these hold them, in turns: what the one moves the other one
+    /// misses in second order.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    fn project_coupled<W: Sweep<S, Closures = P::Closures>>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        springs: W::Springs,
+        loads: &W::Loads,
+        workspace: &mut Workspace<S, Elements<S, R, C>, W>,
+    ) where
+        Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
+    {
+        self.project_by(motion, workspace);
+        if const { !W::Loads::COUPLED || Self::CLOSED == 0 } {
+            return;
+        }
+        let (time, mut zero) = (motion.time, motion.rate.clone());
+        zero.replace(&mut |_| S::Scalar::constant(RealOf::<S>::of(0.0)));
+        for _ in 0..MOST_TURNS {
+            let mut finite = true;
+            motion.position.visit(&mut |x| finite &= x.is_finite());
+            if !finite {
+                return; // closing led nowhere
+            }
+            let there = loads.rejoined(&mut motion.position, &mut motion.rate, |loads, position, rate, found| {
+                let reading = Reading { position, rate, acceleration: &zero };
+                let spring = Spring { position, rate, reading, springs };
+                sweep(&self.chain, &self.site(time, loads), position, rate, &spring, workspace, found);
+            });
+            if there {
+                break;
+            }
+            self.project_by(motion, workspace);
         }
     }
 

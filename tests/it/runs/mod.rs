@@ -8,7 +8,6 @@ mod driven_sliders;
 mod endless_runs;
 mod from_events;
 mod implicit_forces;
-mod kinks;
 mod laws_of_users;
 mod named_runs;
 mod references;
