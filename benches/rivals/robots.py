@@ -79,13 +79,13 @@ def without_a_stand(text):
     return tree.tostring(root, encoding="unicode")
 
 
-def described(robot, file):
-    """A description as it is meant where the library was asked to repair it: right angles right, a body possible, no floating joint on a stand."""
-    root = tree.parse(ROOT / "crates" / "catena-urdf" / "robots" / f"{file}.urdf").getroot()
+def described(path, snap=1e-4, fixed=False):
+    """A description as it is meant where the library was asked to repair it: right angles right, bodies possible, no floating joint on a stand."""
+    root = tree.parse(path).getroot()
     for place in root.iter("origin"):
         turns = [float(word) for word in place.get("rpy", "0 0 0").split()]
         right = [round(turn / (numpy.pi / 2)) * (numpy.pi / 2) for turn in turns]
-        place.set("rpy", " ".join(repr(float(b if abs(a - b) < 1e-4 else a)) for a, b in zip(turns, right)))
+        place.set("rpy", " ".join(repr(float(b if abs(a - b) < snap else a)) for a, b in zip(turns, right)))
     for inertia in root.iter("inertia"):
         names = [["ixx", "ixy", "ixz"], ["ixy", "iyy", "iyz"], ["ixz", "iyz", "izz"]]
         tensor = numpy.array([[float(inertia.get(name)) for name in row] for row in names])
@@ -97,7 +97,7 @@ def described(robot, file):
                 for name, number in zip(row, numbers):
                     inertia.set(name, repr(float(number)))
     for joint in root.iter("joint"):
-        if robot.endswith("fixed") and joint.get("type") == "floating":
+        if fixed and joint.get("type") == "floating":
             joint.set("type", "fixed")
     return tree.tostring(root, encoding="unicode")
 
@@ -133,7 +133,8 @@ def main():
     for robot, file, floating in ROBOTS:
         name = re.sub(r"\W+", "-", robot)
         files[robot] = [OUT / f"{name}.joints", OUT / f"{name}.states"]
-        text = described(robot, file)
+        path = ROOT / "crates" / "catena-urdf" / "robots" / f"{file}.urdf"
+        text = described(path, fixed=robot.endswith("fixed"))
         model(files[robot][0], text, floating)
         if "type=\"planar\"" not in text:
             plain[robot] = [OUT / f"{name}.urdf", files[robot][1]]

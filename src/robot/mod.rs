@@ -41,10 +41,11 @@
 //! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
 //! | `forward_dynamics_afloat`, `inverse_dynamics_afloat`, `mass_matrix_afloat`, `mass_solved_afloat`, `mass_inverse_afloat`, `jacobian_afloat` | the same for bases that float, with a wrench on the base |
 //! | `inverse_dynamics_derivatives_afloat`, `forward_dynamics_derivatives_afloat` (`_into` a place that is kept) | by turn and angular velocity of the base, positions, rates, wrench and torques |
+//! | `operational_compliance`, `operational_inertia`, both also `_afloat` | how a body yields at a point, J M⁻¹ Jᵀ, and the inverse of that |
 //! | `impact`, `impact_afloat` | rates after a joint has struck a hard stop |
 //! | `impact_of_point`, `impact_of_point_afloat` | rates after a point of a body has struck a plane |
 //! | `joint_energy_afloat`, `difference_afloat`, `integrate_afloat`, `random_configuration_afloat` | with place and attitude of the base |
-//! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
+//! | `snapshot`, `snapshot_afloat` | a [`Snapshot`]: points, their velocities and accelerations, Jacobians and their rates, mass matrix, inverse dynamics, centroidal momentum, the regressor; for bases that float, too |
 //!
 //! Those without `afloat` are for robots whose base is fixed: on other roots they do not compile ([`FixedBase`]); a base
 //! that moves is taken at time zero. Those with `afloat` are for the root [`Free`], with velocities of the base in inertial axes, angular ones in its own. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is

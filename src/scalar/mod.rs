@@ -50,7 +50,7 @@ pub use jet::Jet;
 #[cfg(feature = "simd")]
 pub use lanes::{WideF32x16, WideF64x8};
 pub use pack::Pack;
-pub(crate) use powers::Powers;
+pub use powers::Powers;
 #[cfg(feature = "simd")]
 pub use simba::simd::{WideF32x4, WideF32x8, WideF64x4};
 

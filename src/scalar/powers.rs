@@ -19,9 +19,16 @@ const SHARES: [f64; ROOM] = {
     shares
 };
 
-/// The first `N` coefficients of a power series. Decisions are made on the first.
+/// The first `N` coefficients of a power series, up to 32: a number as any other, by the series of what is made of it. Decisions are made on the first.
 ///
 /// A polynomial of the variable, as what stands inside a sine mostly is, has few coefficients, and whatever multiplies by it few products.
+///
+/// ```
+/// use catena::scalar::{Elementary, Powers, Scalar};
+/// let time = Powers::<f64, 4>::variable(0.0, 4);
+/// let (sine, _) = (time * Powers::constant(2.0)).sin_cos();
+/// assert_eq!(sine.terms(), [0.0, 2.0, 0.0, -8.0 / 6.0]);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Powers<T, const N: usize> {
     terms: [T; N],
@@ -33,11 +40,11 @@ pub struct Powers<T, const N: usize> {
 
 impl<T: Scalar, const N: usize> Powers<T, N> {
     /// What does not change.
-    fn of(value: T) -> Self {
+    pub fn of(value: T) -> Self {
         Self::polynomial(1, N, |_| value)
     }
 
-    /// The variable itself around a value, if as many coefficients are asked for of all that is made of it.
+    /// The variable itself around a value, if as many coefficients are asked for of all that is made of it: fewer take less time.
     pub fn variable(value: T, asked: usize) -> Self {
         const { assert!(N <= ROOM) };
         Self::polynomial(2, asked.min(N), |k| if k == 0 { value } else { T::one() })

@@ -36,6 +36,7 @@ const TABLES: &[Table] = &[
     ("gradients beside phyz", "gradients.csv", tables::gradients),
     ("robots counted", "robot_counts.csv", robots::counted),
     ("robots", "robots.csv", robots::beside),
+    ("published robots", "published.csv", robots::published),
     ("robots' losses", "robots.csv", robots::losses),
     ("real time", "real_time.csv", robots::in_real_time),
 ];

@@ -113,6 +113,49 @@ pub fn beside(rows: &Rows) -> String {
     text
 }
 
+/// How many times faster a sweep of a published robot was to be.
+const PUBLISHED: [(&str, f64); 10] = [
+    ("iiwa", 6.0),
+    ("panda", 6.0),
+    ("ur5", 6.0),
+    ("tiago", 6.0),
+    ("hyq", 5.0),
+    ("hyq; floating", 4.2),
+    ("anymal", 4.2),
+    ("atlas", 4.0),
+    ("g1", 4.0),
+    ("talos", 4.0),
+];
+
+/// Nanoseconds of ours for each robot, in brackets how many times as long Pinocchio takes: bold where that misses the aim.
+pub fn published(rows: &Rows) -> String {
+    let mut functions = vec![];
+    for [_, function] in keys(rows) {
+        if !functions.contains(&function) {
+            functions.push(function);
+        }
+    }
+    let names = ["robot"].into_iter().chain(functions.iter().copied()).chain(["numbers differ by", "aim of the sweep"]);
+    let mut text = head(names.map(str::to_owned).collect());
+    for (robot, of_sweep) in PUBLISHED {
+        let row =
+            |function: &str| rows.0.iter().find(|row| row.get("robot") == robot && row.get("function") == function);
+        let mut cells = vec![robot.replace(';', ",")];
+        for function in &functions {
+            let times = |name| row(function).map_or(f64::NAN, |row| row.number(name));
+            let (ours, theirs) = (times("Catena"), times("Pinocchio"));
+            let aim = if *function == "sweep" { Some(of_sweep) } else { aim(robot, function) };
+            let ratio = number(theirs / ours, 2);
+            let missed = aim.is_some_and(|aim| theirs / ours < aim);
+            cells.push(format!("{} ({})", number(ours, 0), if missed { format!("**{ratio}**") } else { ratio }));
+        }
+        cells.push(row("sweep").map_or("–", |row| row.get("off")).to_owned());
+        cells.push(of_sweep.to_string());
+        text += &line(cells);
+    }
+    text
+}
+
 /// A line for each function whose aim is missed.
 pub fn losses(rows: &Rows) -> String {
     let mut text = String::new();

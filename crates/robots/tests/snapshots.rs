@@ -51,8 +51,16 @@ fn check<const N: usize>(
         let mut sum = [0.0; 6];
         changing.iter().zip(rates).for_each(|(row, rate)| (0..6).for_each(|i| sum[i] += row[i] * rate));
         let linear = body.linear + body.angular.cross(&arm) + body.spin.cross(&body.spin.cross(&arm));
-        let right: Vec<f64> = linear.iter().chain(body.angular.iter()).copied().collect();
+        let mut right: Vec<f64> = linear.iter().chain(body.angular.iter()).copied().collect();
         agree(&sum, &right, DIRECT);
+        // And with accelerations of all coordinates.
+        let seconds: Vec<f64> = (0..size).map(|_| 2.0 * noise.next()).collect();
+        jacobian.iter().zip(&seconds).for_each(|(row, second)| (0..6).for_each(|i| right[i] += row[i] * second));
+        let mut of_base = [0.0; 6];
+        of_base[..offset].copy_from_slice(&seconds[..offset]);
+        let of_joints = std::array::from_fn(|k| seconds[offset + k]);
+        let found = now.point_acceleration(joint, local, &of_base, &of_joints)?;
+        agree(&found.map(|x| [x.x, x.y, x.z]).concat(), &right, DIRECT);
     }
 
     // Mass matrix and inverse dynamics, with dampers and reflected inertias.
@@ -101,6 +109,24 @@ fn check<const N: usize>(
     Ok(())
 }
 
+/// What a body yields at a point, J M⁻¹ Jᵀ by dense algebra, and its inverse, where it has one.
+fn yields(found: [[f64; 6]; 6], inertia: Result<[[f64; 6]; 6], catena::Error>, rows: &[[f64; 6]], mass: &DMatrix<f64>) {
+    let jacobian = DMatrix::from_fn(6, rows.len(), |i, k| rows[k][i]);
+    let solved = mass.clone().lu().solve(&jacobian.transpose()).expect("a regular matrix");
+    let right = &jacobian * solved;
+    agree(found.as_flattened(), right.as_slice(), 1e-11);
+    match inertia {
+        Ok(inertia) => {
+            let product = DMatrix::from_fn(6, 6, |i, k| inertia[i][k]) * &right;
+            agree(product.as_slice(), DMatrix::identity(6, 6).as_slice(), 1e-9);
+        }
+        Err(error) => {
+            let rank = jacobian.rank(1e-9);
+            assert!(matches!(error.fault, catena::Fault::Unsupported { .. }) && rank < 6, "{error} at rank {rank}");
+        }
+    }
+}
+
 #[test]
 fn on_the_ground() -> Result<(), catena::Error> {
     let (scene, plain, mut noise) = (fixed()?, plain_fixed(), Noise::new(31));
@@ -111,6 +137,9 @@ fn on_the_ground() -> Result<(), catena::Error> {
         for joint in 0..6 {
             let (point, right) = ([0.2, -0.1, 0.3], now.jacobian(Some(joint), [0.2, -0.1, 0.3])?.joints);
             agree(scene.jacobian(&q, joint, point)?.as_flattened(), right.as_flattened(), DIRECT);
+            let (compliance, inertia) =
+                (scene.operational_compliance(&q, joint, point)?, scene.operational_inertia(&q, joint, point));
+            yields(compliance, inertia, &right, &plain.at(&q, &v).mass);
         }
     }
     assert!(scene.snapshot(&[0.0; 5], &[0.0; 5]).is_err());
@@ -152,6 +181,14 @@ fn afloat() -> Result<(), catena::Error> {
         start.rate().visit(&mut |x: f64| rates.push(x));
         let base = scene.body_motions(&start)?.get(0).map(Afloat::of).expect("a base");
         check(&scene.snapshot_afloat(base, &q, &v)?, &plain, &plain.at(&q, &v), &rates, &mut noise)?;
+        for joint in [None, Some(0), Some(2), Some(4)] {
+            let (place, point) = (base.place, [0.2, -0.1, 0.3]);
+            let rows = scene.jacobian_afloat(place, &q, joint, point)?;
+            let inertia = scene.operational_inertia_afloat(place, &q, joint, point);
+            assert!(inertia.is_ok());
+            let compliance = scene.operational_compliance_afloat(place, &q, joint, point)?;
+            yields(compliance, inertia, &columns(&rows, true), &plain.at(&q, &v).mass);
+        }
         // In one walk out and one in.
         let seconds: [f64; 11] = list(&mut noise, 2.0);
         let (of_base, of_joints): ([f64; 6], [f64; 5]) =

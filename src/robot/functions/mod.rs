@@ -7,6 +7,7 @@ mod derivatives;
 mod impact;
 mod inverse;
 mod mass;
+mod operational;
 mod places;
 mod snapshot;
 mod strike;

@@ -12,6 +12,7 @@ mod posed_late;
 mod scalars;
 mod sensitivities;
 mod sensitivity;
+mod series;
 mod shared_steps;
 mod sine;
 mod spatial_scalars;

@@ -137,8 +137,22 @@ fn store<T: Copy, const W: usize>(first: usize, block: &[[T; BLOCK]], rows: &mut
 
 /// Up to so many roundings of it, what is left of an inertia of the base is none.
 const ROUNDINGS: f64 = 64.0;
+/// A pivot that keeps no more than this power of rounding says nothing.
+const SHARE: f64 = 0.7;
 /// Each coordinate of a base carries the next.
 const CHAIN: [usize; 6] = [usize::MAX, 0, 1, 2, 3, 4];
+
+/// The inverse of a symmetric matrix of six rows, by its lower half; none where hardly more than rounding is left of a pivot.
+pub fn inverted<T: Scalar>(mut matrix: [[T; 6]; 6]) -> Option<[[T; 6]; 6]> {
+    let (whole, mut inverse): ([T; 6], _) = (core::array::from_fn(|k| matrix[k][k]), [[T::zero(); 6]; 6]);
+    let factor = Factor::of(&mut matrix, &CHAIN);
+    let least = T::Real::EPSILON.powf(T::Real::of(SHARE));
+    let kept = |(inverse, whole): (&T, T)| (*inverse * whole).recip().real() > least;
+    let sound = factor.inverse.iter().zip(whole).all(kept);
+    (0..6).for_each(|k| inverse[k][k] = T::one());
+    factor.solve(T::one(), &mut inverse);
+    sound.then_some(inverse)
+}
 
 /// The mass matrix of a robot whose base floats, its joints eliminated: M of the joints, M⁻¹ Cᵀ with the coupling C, and the inertia that the base
 /// has where joints give way.

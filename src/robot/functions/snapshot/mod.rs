@@ -10,7 +10,7 @@ mod screws;
 
 pub use blocks::Blocks;
 pub use dynamics::MassMatrix;
-pub(super) use factor::{Factor, Floating};
+pub(super) use factor::{Factor, Floating, inverted};
 pub(super) use partials::Moved;
 pub use regressor::Regressor;
 
@@ -102,6 +102,7 @@ pub struct Snapshot<T, const N: usize> {
     inertias: [T; N],
     /// Acceleration of the ground that carries a fixed base, and its angular acceleration, less gravity.
     carried: [Vector3<T>; 2],
+    gravity: Vector3<T>,
 }
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
@@ -141,7 +142,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             };
             bodies[k] = Moving { place, velocity, spin, parameters: solids.bodies[k] };
         }
-        Ok(Snapshot { base, bodies, parents, slides, rates, laws, inertias, carried })
+        Ok(Snapshot { base, bodies, parents, slides, rates, laws, inertias, carried, gravity: self.gravity() })
     }
 
     /// A robot whose base is fixed, at positions and rates of its joints.
@@ -270,6 +271,25 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
             next = self.parents[next];
         }
         Ok(rows)
+    }
+
+    /// Acceleration (m/s²) of a point (m, axes of its body) of the body on a joint, or of the base, and angular acceleration (rad/s²) of the body,
+    /// inertial axes, for accelerations of the base as [`inverse_dynamics`](Self::inverse_dynamics) has them and of the joints: J q̈ + J̇ q̇.
+    ///
+    /// # Errors
+    /// [`Fault::NoSuchJoint`] for the number of no joint.
+    pub fn point_acceleration(
+        &self,
+        joint: Option<usize>,
+        point: [T; 3],
+        base: &[T; 6],
+        seconds: &[T; N],
+    ) -> Result<[Vector3<T>; 2], Error> {
+        let body = self.body(joint)?;
+        let (of_base, all) = self.accelerations(base, seconds);
+        let [felt, angular] = joint.map_or(of_base, |joint| all[joint]);
+        let arm = body.place.attitude.apply(Vector3::from(point));
+        Ok([felt + self.gravity + cross(angular, arm) + centripetal(body.spin, arm), angular])
     }
 
     /// Accelerations of all bodies' origins, as felt (less gravity), and of the bodies.

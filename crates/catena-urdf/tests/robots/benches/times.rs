@@ -6,232 +6,14 @@
 //! cargo bench -p catena-urdf-robots --bench times -- time ROBOT     # nanoseconds a call, a function a line
 //! ```
 
-use catena::robot::{Afloat, Blocks, ByState, ByStateAfloat, MassMatrix, Place, SixRows, Torques};
+#[macro_use]
+#[path = "parts/states.rs"]
+mod states;
+
 use catena::system::{Dynamics, Rate};
 use catena_urdf_robots::{arm7_local, cart_local, humanoid_local, quadruped_fixed, quadruped_local};
-use std::error::Error;
+use states::{Noise, Outcome, STATES, State, Work, write};
 use std::hint::black_box;
-use std::time::{Duration, Instant};
-
-/// States that are gone through, so that no input stays what it was.
-const STATES: usize = 64;
-/// Calls of a batch, and for how long batches are repeated.
-const BATCH: usize = 4 * STATES;
-const BUDGET: Duration = Duration::from_millis(40);
-
-type Outcome = Result<(), Box<dyn Error>>;
-
-/// Numbers in (−1, 1), by the multiplier of L'Ecuyer for 64 bits.
-struct Noise(u64);
-
-impl Noise {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(3_935_559_000_370_003_845).wrapping_add(2_691_343_689_449_507_681);
-        (self.0 >> 11) as f64 / (1u64 << 52) as f64 - 1.0
-    }
-    fn list<const N: usize>(&mut self, size: f64) -> [f64; N] {
-        std::array::from_fn(|_| size * self.next())
-    }
-}
-
-/// A state of a robot of `N` joints, and of its base where that floats: place and quaternion (scalar first), velocity (inertial axes) and
-/// angular velocity (axes of the base), and the same of its acceleration.
-struct State<const N: usize> {
-    place: [f64; 7],
-    base_rates: [f64; 6],
-    base_seconds: [f64; 6],
-    q: [f64; N],
-    v: [f64; N],
-    torques: [f64; N],
-    seconds: [f64; N],
-}
-
-impl<const N: usize> State<N> {
-    fn random(noise: &mut Noise) -> Self {
-        let mut place = noise.list::<7>(1.0);
-        let length = place[3..].iter().map(|x| x * x).sum::<f64>().sqrt();
-        place[3..].iter_mut().for_each(|x| *x /= length);
-        let (base_rates, base_seconds) = (noise.list(2.0), noise.list(5.0));
-        let (q, v, torques, seconds) = (noise.list(3.0), noise.list(3.0), noise.list(20.0), noise.list(5.0));
-        Self { place, base_rates, base_seconds, q, v, torques, seconds }
-    }
-
-    fn base(&self) -> Afloat<f64> {
-        let ([a, b, c, w, x, y, z], [v0, v1, v2, s0, s1, s2]) = (self.place, self.base_rates);
-        let columns = [
-            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)],
-            [2.0 * (x * y - w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z + w * x)],
-            [2.0 * (x * z + w * y), 2.0 * (y * z - w * x), 1.0 - 2.0 * (x * x + y * y)],
-        ];
-        let [x, y, z] = columns.map(Into::into);
-        let place = Place { place: [a, b, c].into(), attitude: catena::robot::Columns { x, y, z } };
-        Afloat { place, velocity: [v0, v1, v2].into(), spin: [s0, s1, s2].into() }
-    }
-}
-
-/// What is done with functions: their answers are written, or they are timed.
-struct Work(bool);
-
-impl Work {
-    /// A function of the state of a number: where a list is given, its answer goes there.
-    fn does(&self, name: &str, mut call: impl FnMut(usize, Option<&mut Vec<f64>>)) {
-        if !self.0 {
-            for k in 0..STATES {
-                let mut list = vec![];
-                call(k, Some(&mut list));
-                write(name, &list);
-            }
-            return;
-        }
-        let (mut times, start) = (vec![], Instant::now());
-        while times.len() < 5 || start.elapsed() < BUDGET {
-            let now = Instant::now();
-            for k in 0..BATCH {
-                call(k % STATES, None);
-            }
-            times.push(now.elapsed().as_secs_f64() * 1e9 / BATCH as f64);
-        }
-        times.sort_by(f64::total_cmp);
-        println!("{name} {:.2}", times[times.len() / 2]);
-    }
-}
-
-fn write(name: &str, list: &[f64]) {
-    let words: Vec<String> = list.iter().map(|x| format!("{x:e}")).collect();
-    println!("{name} {}", words.join(" "));
-}
-
-/// States of a robot, its sweep, and where there are lists alone, functions of these.
-macro_rules! robot {
-    ($work:expr, $name:ident, $link:ident, $functions:ident) => {{
-        const N: usize = $name::JOINTS.len();
-        let (work, scene, mut noise) = ($work, $name::scene::<f64>()?, Noise(5));
-        let states: Vec<State<N>> = (0..STATES).map(|_| State::random(&mut noise)).collect();
-        let floats = scene.motion().coordinates().len() > N;
-        let whole = |base: &[f64], joints: &[f64; N]| {
-            let base = if floats { base } else { &[] };
-            [base, joints].concat()
-        };
-        if !work.0 {
-            println!("joints {}", $name::JOINTS.join(" "));
-            println!("of {}", $name::JOINTS[$name::joint::$link]);
-            for state in &states {
-                write("q", &whole(&state.place, &state.q));
-                write("v", &whole(&state.base_rates, &state.v));
-                write("torques", &whole(&[0.0; 6], &state.torques));
-                write("seconds", &whole(&state.base_seconds, &state.seconds));
-            }
-        }
-        let mut motions = vec![];
-        for state in &states {
-            let mut motion = scene.motion();
-            motion.set_coordinates(&whole(&state.place, &state.q))?;
-            motions.push(scene.with_rates(motion, &whole(&state.base_rates, &state.v))?);
-        }
-        let (mut workspace, mut found) = (scene.workspace(), scene.motion().acceleration().clone());
-        work.does("sweep", |k, list| {
-            let (position, rate) = (motions[k].position(), motions[k].rate());
-            scene.accelerations(0.0, position, rate, &Torques(states[k].torques), &mut workspace, &mut found);
-            black_box(&found);
-            if let Some(list) = list {
-                Rate::visit(&found, &mut |x: f64| list.push(x));
-            }
-        });
-        $functions!(work, scene, states, $name::joint::$link);
-    }};
-}
-
-/// A function of a state, and how its answer is a list.
-macro_rules! function {
-    ($work:ident, $states:ident, $name:literal, |$state:ident| $call:expr, |$answer:ident| $list:expr) => {
-        $work.does($name, |k, list| {
-            let $state = &$states[k];
-            let answer = black_box($call);
-            if let (Some(list), Ok($answer)) = (list, answer) {
-                list.extend($list);
-            }
-        })
-    };
-}
-
-/// Functions of lists, for bases that are fixed.
-macro_rules! fixed {
-    ($work:ident, $scene:ident, $states:ident, $link:expr) => {
-        function!($work, $states, "forward_dynamics", |s| $scene.forward_dynamics(&s.q, &s.v, &s.torques), |x| x);
-        function!($work, $states, "inverse_dynamics", |s| $scene.inverse_dynamics(&s.q, &s.v, &s.seconds), |x| x);
-        function!($work, $states, "mass_matrix", |s| $scene.mass_matrix(&s.q), |x| x.into_iter().flatten());
-        function!($work, $states, "jacobian", |s| $scene.jacobian(&s.q, $link, [0.0; 3]), |x| x.into_iter().flatten());
-        function!(
-            $work,
-            $states,
-            "forward_dynamics_derivatives",
-            |s| $scene.forward_dynamics_derivatives(&s.q, &s.v, &s.torques),
-            |x| {
-                let (ByState { positions, rates }, torques) = x;
-                [positions, rates, torques].into_iter().flatten().flatten()
-            }
-        );
-    };
-}
-
-/// Functions for bases that float.
-macro_rules! floating {
-    ($work:ident, $scene:ident, $states:ident, $link:expr) => {
-        function!(
-            $work,
-            $states,
-            "inverse_dynamics",
-            |s| $scene.inverse_dynamics_afloat(s.base(), &s.q, &s.v, &s.base_seconds, &s.seconds),
-            |x| x.0.into_iter().chain(x.1)
-        );
-        function!($work, $states, "mass_matrix", |s| $scene.mass_matrix_afloat(s.base().place, &s.q), |x| {
-            let MassMatrix { base, coupling, joints } = x;
-            let mut list = vec![];
-            for (i, row) in base.iter().enumerate() {
-                list.extend(row.iter().copied().chain(coupling.iter().map(|column| column[i])));
-            }
-            for (column, row) in coupling.iter().zip(&joints) {
-                list.extend(column.iter().chain(row));
-            }
-            list
-        });
-        function!(
-            $work,
-            $states,
-            "jacobian",
-            |s| $scene.jacobian_afloat(s.base().place, &s.q, Some($link), [0.0; 3]),
-            |x| {
-                let SixRows { base, joints } = x;
-                base.into_iter().flatten().chain(joints.into_iter().flatten())
-            }
-        );
-        function!(
-            $work,
-            $states,
-            "forward_dynamics",
-            |s| $scene.forward_dynamics_afloat(s.base(), &s.q, &s.v, &[0.0; 6], &s.torques),
-            |x| x.0.into_iter().chain(x.1)
-        );
-        let mut found = (ByStateAfloat::zero(), Blocks::zero());
-        function!(
-            $work,
-            $states,
-            "forward_dynamics_derivatives",
-            |s| $scene
-                .forward_dynamics_derivatives_afloat_into(s.base(), &s.q, &s.v, &[0.0; 6], &s.torques, &mut found)
-                .map(|()| black_box(&found)),
-            |x| {
-                let (ByStateAfloat { positions, rates }, torques) = x;
-                let mut list = vec![];
-                for Blocks { base, base_by_joints, joints_by_base, joints } in [positions, rates, torques] {
-                    base.iter().zip(base_by_joints).for_each(|(a, b)| list.extend(a.iter().chain(b).copied()));
-                    joints_by_base.iter().zip(joints).for_each(|(a, b)| list.extend(a.iter().chain(b).copied()));
-                }
-                list
-            }
-        );
-    };
-}
 
 fn main() -> Outcome {
     let words: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with("--")).collect();
@@ -240,11 +22,11 @@ fn main() -> Outcome {
     };
     let work = Work(what == "time");
     match robot {
-        "arm7" => robot!(work, arm7_local, TOOL_ROLL, fixed),
-        "cart" => robot!(work, cart_local, RIGHT_GRIP, fixed),
-        "quadruped, fixed" => robot!(work, quadruped_fixed, RH_KFE, fixed),
-        "quadruped" => robot!(work, quadruped_local, RH_KFE, floating),
-        "humanoid" => robot!(work, humanoid_local, LEFT_GRIP, floating),
+        "arm7" => robot!(work, arm7_local, arm7_local::joint::TOOL_ROLL, fixed),
+        "cart" => robot!(work, cart_local, cart_local::joint::RIGHT_GRIP, fixed),
+        "quadruped, fixed" => robot!(work, quadruped_fixed, quadruped_fixed::joint::RH_KFE, fixed),
+        "quadruped" => robot!(work, quadruped_local, quadruped_local::joint::RH_KFE, floating),
+        "humanoid" => robot!(work, humanoid_local, humanoid_local::joint::LEFT_GRIP, floating),
         _ => return Err(robot.into()),
     }
     Ok(())
