@@ -17,12 +17,13 @@ use num_traits::{One, Zero};
 /// A step that is accepted.
 #[derive(Clone, Copy)]
 pub(super) struct Taken<R> {
-    /// Its size (s).
+    /// Size of the step (s).
     pub(super) size: R,
-    /// Whether it ends the run.
+    /// Whether the step ends the run.
     pub(super) last: bool,
-    /// Whether it was cut for a kink, and whether it ends at one.
+    /// Whether the step was cut for a kink.
     pub(super) cut: bool,
+    /// Whether a kink is where the step ends.
     pub(super) kink: bool,
 }
 

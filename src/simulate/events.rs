@@ -32,7 +32,7 @@ pub struct Kinks<F, const COUNT: usize>(pub(super) F);
 pub trait MayCross<N: ?Sized, T> {
     /// Whether there is one.
     const ON: bool = false;
-    /// Its value.
+    /// Value of the function, if there is one.
     fn value(&mut self, now: &N) -> Option<T> {
         let _ = now;
         None

@@ -24,11 +24,11 @@ const BEGUN: f64 = 64.0;
 /// A function that crosses zero within a step: which one, and where.
 struct Crossing {
     number: usize,
-    /// The share of the step from which it is looked at, and its value there.
+    /// Share of the step from which the function is looked at, and value there.
     from: (f64, f64),
-    /// Its value at the end.
+    /// Value at the end of the step.
     end: f64,
-    /// The share at which dense output has it zero.
+    /// Share at which dense output has the function zero.
     share: f64,
 }
 
@@ -112,6 +112,9 @@ where
             } else {
                 continue;
             };
+            if share <= self.least_share(size) {
+                continue; // it has jumped where the step begins
+            }
             if first.as_ref().is_none_or(|first| share < first.share) {
                 first = Some(Crossing { number, from, end, share });
             }
@@ -135,7 +138,16 @@ where
         }
         let within = |part: f64| low.0 + (high.0 - low.0) * part;
         let share = within(crossing([low.1, high.1], &mut |part| made(within(part)))?);
-        Ok(size * RealOf::<S>::of(share))
+        let least = self.least_share(size);
+        if share <= least {
+            self.make_anew(size * RealOf::<S>::of(2.0 * least))?;
+        }
+        Ok(size * RealOf::<S>::of(if share <= least { 2.0 * least } else { share }))
+    }
+
+    /// The share of a step that advances time by some roundings.
+    fn least_share(&self, size: RealOf<S>) -> f64 {
+        (self.past.time.abs() * RealOf::<S>::EPSILON / size).as_f64() * 8.0 + f64::EPSILON * 8.0
     }
 
     /// The value of one of the functions at a share of the step.

@@ -143,7 +143,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
             motion.rate.add(&term);
             term.replace(&mut |x| (x * time).scale(share(k + 2)));
             displacement.add(&term);
-            power = power * time;
+            power *= time;
         }
         let before = motion.position.clone();
         motion.position.displace(&displacement);

@@ -120,7 +120,7 @@ const PUBLISHED: [(&str, f64); 10] = [
     ("ur5", 6.0),
     ("tiago", 6.0),
     ("hyq", 5.0),
-    ("hyq; floating", 4.2),
+    ("hyq, floating", 4.2),
     ("anymal", 4.2),
     ("atlas", 4.0),
     ("g1", 4.0),
@@ -140,7 +140,7 @@ pub fn published(rows: &Rows) -> String {
     for (robot, of_sweep) in PUBLISHED {
         let row =
             |function: &str| rows.0.iter().find(|row| row.get("robot") == robot && row.get("function") == function);
-        let mut cells = vec![robot.replace(';', ",")];
+        let mut cells = vec![robot.to_owned()];
         for function in &functions {
             let times = |name| row(function).map_or(f64::NAN, |row| row.number(name));
             let (ours, theirs) = (times("Catena"), times("Pinocchio"));

@@ -273,3 +273,18 @@ fn a_value_that_is_no_number_is_refused() -> Result<(), Error> {
     assert_eq!(refused.map(|_| ()).map_err(|error| error.fault), Err(fault));
     Ok(())
 }
+
+/// A function that jumps, where a step begins and within one: runs go on.
+#[test]
+fn a_function_that_jumps_ends_a_step_once() -> Result<(), Error> {
+    let car = car::<f64>()?;
+    for (at, ends) in [(0.5, 11), (0.53, 12)] {
+        let mut times = vec![];
+        let simulation = car.simulation(Rk4::step(0.125)).kinks(|now| [if now.time() <= at { -1.0 } else { 1.0 }]);
+        simulation.run(start(&car)?, 1.25, |now| times.push(now.time()))?;
+        assert_eq!(times.len(), ends, "{times:?}");
+    }
+    let simulation = car.simulation(Dop853::tolerance(1e-6)).kinks(|now| [if now.time() <= 0.5 { -1.0 } else { 1.0 }]);
+    assert!(simulation.run(start(&car)?, 1.25, |_| ())?.steps < 60);
+    Ok(())
+}

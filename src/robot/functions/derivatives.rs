@@ -110,8 +110,10 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         let now = self.snapshot(q, v)?;
         let (mut moved, zeros) = (now.moved(), [[T::zero(); N]; N]);
-        let (mut by, mut by_torques, mut matrix) = (ByState { positions: zeros, rates: zeros }, zeros, zeros);
-        let (bias, _) = now.bias(&moved, &mut matrix, |_, _| ());
+        // In axes of bodies M has all digits where a last link has little inertia; about the origin of screws these cancel.
+        let mut matrix = self.mass_matrix(q)?;
+        let (mut by, mut by_torques) = (ByState { positions: zeros, rates: zeros }, zeros);
+        let (bias, _) = now.bias(&moved, |_, _| ());
         let mass = Factor::of(&mut matrix, now.parents());
         let mut seconds: [_; N] = core::array::from_fn(|k| [torques[k] - bias[k]]);
         mass.solve(T::one(), &mut seconds);

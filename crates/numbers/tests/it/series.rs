@@ -1,7 +1,6 @@
 //! Series of joint forces, from the series of a motion, against readings of runs by another rule.
 
 use catena::scalar::{Powers, Scalar};
-use catena::simulate::Stepper;
 use catena::{Error, planar, spatial};
 
 const P: usize = 24;

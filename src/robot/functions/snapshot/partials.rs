@@ -169,13 +169,12 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         *whole
     }
 
-    /// What joints take that do not accelerate, with the lower half of their mass matrix, as far as they are related, and what each one takes for an
-    /// acceleration of one; and all as one body with what that takes, at the place of the base.
+    /// What joints take that do not accelerate, and what each one takes for an acceleration of one; and all as one body with what that takes, at the
+    /// place of the base.
     #[cfg_attr(optimised, inline(always))]
     pub(in crate::robot::functions) fn bias(
         &self,
         Moved { joints, bodies, base: own }: &Moved<T, N>,
-        matrix: &mut [[T; N]; N],
         mut each: impl FnMut(usize, Pair<T>),
     ) -> ([T; N], (Inertial<T>, Pair<T>)) {
         let ground = self.ground(&[T::zero(); 6]);
@@ -189,11 +188,8 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         }
         for k in (0..N).rev() {
             let ((inertial, wrench), [unit, ..]) = (all[k], joints[k]);
-            let taken = inertial.moved(unit);
             bias[k] = along(unit, wrench) - self.laws[k];
-            self.inboard(k, |i| matrix[k][i] = along(joints[i][0], taken));
-            matrix[k][k] += self.inertias[k];
-            each(k, taken);
+            each(k, inertial.moved(unit));
             let inboard = all.get_mut(self.parents[k]).unwrap_or(&mut whole);
             *inboard = (inboard.0 + inertial, sum(inboard.1, wrench));
         }
@@ -206,7 +202,11 @@ impl<T: Scalar, const N: usize> Snapshot<T, N> {
         moved: &Moved<T, N>,
         MassMatrix { base, coupling, joints }: &mut MassMatrix<T, N>,
     ) -> ([T; 6], [T; N]) {
-        let (bias, (inertial, wrench)) = self.bias(moved, joints, |k, taken| coupling[k] = self.on_base(taken));
+        let (bias, (inertial, wrench)) = self.bias(moved, |k, taken| {
+            self.inboard(k, |i| joints[k][i] = along(moved.joints[i][0], taken));
+            joints[k][k] += self.inertias[k];
+            coupling[k] = self.on_base(taken);
+        });
         *base = self.inertia_of_base(&inertial);
         (self.on_base(wrench), bias)
     }
