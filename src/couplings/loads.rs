@@ -48,6 +48,16 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
         Answers { free, sizes, responses }
     }
 
+    /// What a follower misses, of its place or of its rate, by more than a share of the size of one and its own; what is no number passes: sweeps say so.
+    fn beyond<P: Position<T>>(&self, position: &P, rate: &P::Rate, share: T::Real) -> Option<T::Real> {
+        let places = self.apart(position).into_iter().zip(self.places(position));
+        let mut all = places.chain(self.missed(rate).into_iter().zip(self.rates(rate)));
+        let far = |(missed, [follower, _]): &(T, [T; 2])| {
+            missed.real().abs() > share * (T::Real::one() + follower.real().abs())
+        };
+        all.find(far).map(|(missed, _)| missed.real().abs())
+    }
+
     /// The shares of responses that undo what is missed.
     fn solved<V: Rate<T>>(&self, responses: &[V; K], missed: [T; K]) -> [T; K] {
         let columns = responses.each_ref().map(|response| self.missed(response));
@@ -106,18 +116,8 @@ where
         self.others.check(bodies, joints)
     }
     fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
-        let places = self.places(position);
-        let rates = self.rates(rate);
-        for ((tie, place), rate) in self.ties.iter().zip(places).zip(rates) {
-            for (pair, offset) in [(place, tie.offset), (rate, S::Scalar::zero())] {
-                let missed = (tie.missed(pair) - offset).real().abs();
-                // What is no number passes: sweeps say so.
-                if missed > RealOf::<S>::EPSILON.sqrt() * (RealOf::<S>::one() + pair[0].real().abs()) {
-                    return Err(Fault::NotAssembled { residual: missed.as_f64() });
-                }
-            }
-        }
-        Ok(())
+        let beyond = self.beyond(position, rate, Elementary::sqrt(RealOf::<S>::EPSILON));
+        beyond.map_or(Ok(()), |missed| Err(Fault::NotAssembled { residual: missed.as_f64() }))
     }
     fn accelerated<V: Rate<S::Scalar>>(&self, read: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
         if self.given {
@@ -141,17 +141,12 @@ where
         rate: &mut P::Rate,
         mut sweep: impl FnMut(&Self, &P, &P::Rate, &mut P::Rate),
     ) -> bool {
-        let (apart, parting) = (self.apart(position), self.missed(rate));
-        let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS);
-        let nothing = |missed: &[S::Scalar; K], pairs: [[S::Scalar; 2]; K]| {
-            let mut all = self.ties.iter().zip(missed).zip(pairs);
-            all.all(|((tie, missed), pair)| missed.real().abs() <= rounding * (RealOf::<S>::one() + tie.measure(pair)))
-        };
-        let there = nothing(&apart, self.places(position)) && nothing(&parting, self.rates(rate));
+        let there = self.beyond(position, rate, RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS)).is_none();
         // Derivatives follow real parts.
         if there && size_of::<S::Scalar>() == size_of::<RealOf<S>>() {
             return true;
         }
+        let (apart, parting) = (self.apart(position), self.missed(rate));
         let mut found = rate.clone();
         let Answers { responses, .. } =
             self.answers(&mut found, &mut |loads, found| sweep(loads, &*position, &*rate, found));

@@ -110,10 +110,9 @@ where
         time
     }
 
-    /// Makes the step anew, as long as a share of it, with what the stepper carried after it.
+    /// Makes the step anew, as long as a share of it; gives the least margin at its end.
     fn made_anew(&mut self, memory: &K::Memory, size: RealOf<S>, share: f64) -> Result<f64, Error> {
-        self.stepper.restore(memory);
-        self.stepper.advance(&self.past, self.plan.loads, size * RealOf::<S>::of(share), &mut self.next)?;
+        self.make_anew(memory, size * RealOf::<S>::of(share))?;
         Ok(self.margin_ahead())
     }
 

@@ -2,7 +2,8 @@
 
 use super::accept::Taken;
 use super::crossing::{DEPARTED, crosses, crossing, departure, of_one_number};
-use super::now::{Find, settled};
+use super::now::settled;
+use super::shown::Shown;
 use super::{EventFunction, Now, Progress, Simulation, limits};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -13,7 +14,6 @@ use crate::stepper::{Stepper, modes_by_numbers};
 use crate::system::Dynamics;
 use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
-use core::cell::OnceCell;
 use num_traits::One;
 
 /// A run under way, step by step: made by [`begin`](Simulation::begin) and [`resume`](Simulation::resume).
@@ -50,9 +50,6 @@ where
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
-    /// How readings find accelerations, if the method leaves others.
-    pub(super) const FIND: Option<Find<S, R, C, P, L>> = if K::SETTLED { None } else { Some(settled) };
-
     /// Refuses what makes no run, and motions of another scene; whether joints of the start were [let go](Self::accelerated).
     fn check(&mut self) -> Result<bool, Error> {
         modes_by_numbers::<S::Scalar>(Self::MODES)?;
@@ -207,25 +204,10 @@ where
         false
     }
 
-    /// The value of the event function, if there is one.
-    ///
-    /// # Errors
-    /// [`Fault::NotFinite`] where it is not a number, whose sign says nothing.
-    fn value(&mut self, which: Shown) -> Result<Option<f64>, Error> {
-        let Self { plan, past, next, between, .. } = self;
-        let stepped = which.of(past, next, between);
-        let (find, found) = (Self::FIND, OnceCell::new());
-        let now = Now { system: plan.system, stepped, loads: plan.loads, event: false, find, found };
-        let value = plan.event.value(&now).map(|value| value.real().as_f64());
-        let fault = Fault::NotFinite { parameter: "value of the event function" };
-        if value.is_some_and(f64::is_nan) { Err(Error::new(fault).at_time(stepped.time.as_f64())) } else { Ok(value) }
-    }
-
-    fn show(&mut self, which: Shown, event: bool) {
-        let Self { plan, past, next, between, observe, .. } = self;
-        let stepped = which.of(past, next, between);
-        let (find, found) = (Self::FIND, OnceCell::new());
-        observe(&Now { system: plan.system, stepped, loads: plan.loads, event, find, found });
+    /// Makes the step anew, of a size (s), with what the stepper carried after it.
+    pub(super) fn make_anew(&mut self, memory: &K::Memory, size: RealOf<S>) -> Result<(), Error> {
+        self.stepper.restore(memory);
+        self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next)
     }
 
     pub(super) fn interpolate(&mut self, size: RealOf<S>, theta: f64) {
@@ -300,23 +282,5 @@ where
     fn crossing(&mut self, size: RealOf<S>, from: f64, values: [f64; 2]) -> Result<f64, Error> {
         let share = |part: f64| from + (1.0 - from) * part;
         Ok(share(crossing(values, &mut |part| self.value_at(size, share(part)))?))
-    }
-}
-
-/// One of the motions of a run under way.
-#[derive(Clone, Copy)]
-pub(super) enum Shown {
-    Past,
-    Next,
-    Between,
-}
-
-impl Shown {
-    pub(super) fn of<'m, M>(self, past: &'m M, next: &'m M, between: &'m M) -> &'m M {
-        match self {
-            Self::Past => past,
-            Self::Next => next,
-            Self::Between => between,
-        }
     }
 }

@@ -1,5 +1,7 @@
 //! What a run looks for: zeros of an event function, and of functions at whose zeros loads have kinks.
 
+use crate::scalar::{Real, Scalar};
+
 /// Functions of the motion whose zeros are located.
 pub trait EventFunction<N: ?Sized, T> {
     /// Whether there is one that is shown.
@@ -9,8 +11,10 @@ pub trait EventFunction<N: ?Sized, T> {
 
     /// Number of functions at whose zeros steps end.
     const KINKS: usize;
-    /// Tells the values of these, in their order.
-    fn kinks(&mut self, now: &N, tell: &mut dyn FnMut(T));
+    /// Finds the values of these functions at one of three motions.
+    fn look(&mut self, now: &N, at: usize);
+    /// The value of one function that was found there.
+    fn kink(&self, number: usize, at: usize) -> f64;
 }
 
 /// An event function and one of kinks, or none of them.
@@ -25,8 +29,17 @@ pub struct Unwatched;
 /// A function that is an event's.
 pub struct Event<F>(pub(super) F);
 
-/// A function that gives as many values as there are kinks.
-pub struct Kinks<F, const COUNT: usize>(pub(super) F);
+/// A function that gives as many values as there are kinks, and those of three motions.
+pub struct Kinks<F, const COUNT: usize> {
+    functions: F,
+    values: [[f64; COUNT]; 3],
+}
+
+impl<F, const COUNT: usize> Kinks<F, COUNT> {
+    pub(super) fn of(functions: F) -> Self {
+        Self { functions, values: [[f64::NAN; COUNT]; 3] }
+    }
+}
 
 /// [`EventFunction::value`] of one function or none.
 pub trait MayCross<N: ?Sized, T> {
@@ -39,13 +52,18 @@ pub trait MayCross<N: ?Sized, T> {
     }
 }
 
-/// [`EventFunction::kinks`] of one function or none.
+/// [`EventFunction::kink`] of one function or none.
 pub trait MayBend<N: ?Sized, T> {
     /// Number of its values.
     const COUNT: usize = 0;
-    /// Tells them.
-    fn each(&mut self, now: &N, tell: &mut dyn FnMut(T)) {
-        let _ = (now, tell);
+    /// Finds all values.
+    fn look(&mut self, now: &N, at: usize) {
+        let _ = (now, at);
+    }
+    /// A value that was found.
+    fn value(&self, number: usize, at: usize) -> f64 {
+        let _ = (number, at);
+        f64::NAN
     }
 }
 
@@ -59,10 +77,13 @@ impl<N: ?Sized, T, F: FnMut(&N) -> T> MayCross<N, T> for Event<F> {
     }
 }
 
-impl<N: ?Sized, T, F: FnMut(&N) -> [T; COUNT], const COUNT: usize> MayBend<N, T> for Kinks<F, COUNT> {
+impl<N: ?Sized, T: Scalar, F: FnMut(&N) -> [T; COUNT], const COUNT: usize> MayBend<N, T> for Kinks<F, COUNT> {
     const COUNT: usize = COUNT;
-    fn each(&mut self, now: &N, tell: &mut dyn FnMut(T)) {
-        self.0(now).into_iter().for_each(tell);
+    fn look(&mut self, now: &N, at: usize) {
+        self.values[at] = (self.functions)(now).map(|value| value.real().as_f64());
+    }
+    fn value(&self, number: usize, at: usize) -> f64 {
+        self.values[at][number]
     }
 }
 
@@ -73,7 +94,10 @@ impl<N: ?Sized, T, E: MayCross<N, T>, K: MayBend<N, T>> EventFunction<N, T> for 
     }
 
     const KINKS: usize = K::COUNT;
-    fn kinks(&mut self, now: &N, tell: &mut dyn FnMut(T)) {
-        self.kinks.each(now, tell);
+    fn look(&mut self, now: &N, at: usize) {
+        self.kinks.look(now, at);
+    }
+    fn kink(&self, number: usize, at: usize) -> f64 {
+        self.kinks.value(number, at)
     }
 }

@@ -2,16 +2,16 @@
 
 use super::accept::Taken;
 use super::crossing::{crosses, crossing, departure};
-use super::drive::{Running, Shown};
+use super::drive::Running;
+use super::shown::Shown;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::Error;
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::{Runs, System};
 use crate::time::Control;
-use core::cell::OnceCell;
 
 /// Under error control a step whose kink lies beyond this share of what was tried ends before it, at a share of the way.
 const CLOSE: f64 = 0.15;
@@ -64,7 +64,8 @@ where
             (step.cut, step.last) = (true, step.last && share >= 1.0);
             if share < 1.0 {
                 step.size *= RealOf::<S>::of(share);
-                self.make_anew(step.size)?;
+                let memory = self.stepper.memory();
+                self.make_anew(&memory, step.size)?;
             }
             if far {
                 return Ok(());
@@ -82,16 +83,10 @@ where
         Ok(())
     }
 
-    /// Makes the step anew, of another size (s).
-    fn make_anew(&mut self, size: RealOf<S>) -> Result<(), Error> {
-        let memory = self.stepper.memory();
-        self.stepper.restore(&memory);
-        self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next)
-    }
-
     /// The function that crosses zero first, by dense output: there it is nothing beside its value before.
     fn first_kink(&mut self, size: RealOf<S>, nothing: f64) -> Result<Option<Crossing>, Error> {
         let begun = self.progress.mark.1 == 0;
+        [Shown::Past, Shown::Next].into_iter().for_each(|which| self.evaluate(which));
         let mut first: Option<Crossing> = None;
         for number in 0..Self::KINKS {
             let [before, end] = [self.kink(number, Shown::Past)?, self.kink(number, Shown::Next)?];
@@ -125,9 +120,10 @@ where
     /// Makes the step anew, up to where a function is zero; gives its size (s).
     fn made_up_to(&mut self, found: &Crossing, size: RealOf<S>) -> Result<RealOf<S>, Error> {
         let Crossing { number, from, end, share } = *found;
-        let nothing = Self::nothing() * from.1.abs();
+        let (memory, nothing) = (self.stepper.memory(), Self::nothing() * from.1.abs());
         let mut made = |theta: f64| {
-            self.make_anew(size * RealOf::<S>::of(theta))?;
+            self.make_anew(&memory, size * RealOf::<S>::of(theta))?;
+            self.evaluate(Shown::Next);
             let value = self.kink(number, Shown::Next)?;
             Ok::<_, Error>(if value.abs() <= nothing { 0.0 } else { value })
         };
@@ -140,7 +136,7 @@ where
         let share = within(crossing([low.1, high.1], &mut |part| made(within(part)))?);
         let least = self.least_share(size);
         if share <= least {
-            self.make_anew(size * RealOf::<S>::of(2.0 * least))?;
+            self.make_anew(&memory, size * RealOf::<S>::of(2.0 * least))?;
         }
         Ok(size * RealOf::<S>::of(if share <= least { 2.0 * least } else { share }))
     }
@@ -153,26 +149,18 @@ where
     /// The value of one of the functions at a share of the step.
     fn kink_at(&mut self, number: usize, size: RealOf<S>, theta: f64) -> Result<f64, Error> {
         self.interpolate(size, theta);
+        self.evaluate(Shown::Between);
         self.kink(number, Shown::Between)
     }
 
-    /// The value of one of the functions.
-    ///
-    /// # Errors
-    /// [`Fault::NotFinite`] where it is not a number, whose sign says nothing.
-    fn kink(&mut self, number: usize, which: Shown) -> Result<f64, Error> {
-        let Self { plan, past, next, between, .. } = self;
-        let stepped = which.of(past, next, between);
-        let (find, found) = (Self::FIND, OnceCell::new());
-        let now = Now { system: plan.system, stepped, loads: plan.loads, event: false, find, found };
-        let (mut count, mut value) = (0, f64::NAN);
-        plan.event.kinks(&now, &mut |told| {
-            if count == number {
-                value = told.real().as_f64();
-            }
-            count += 1;
-        });
-        let fault = Fault::NotFinite { parameter: "value of a function of kinks" };
-        if value.is_nan() { Err(Error::new(fault).at_time(stepped.time.as_f64())) } else { Ok(value) }
+    /// Finds the values of all functions at a motion.
+    fn evaluate(&mut self, which: Shown) {
+        self.seen(which, false, |functions, _, now| functions.look(now, which as usize));
+    }
+
+    /// The value of one of the functions that was found at a motion.
+    fn kink(&self, number: usize, which: Shown) -> Result<f64, Error> {
+        let value = self.plan.event.kink(number, which as usize);
+        self.a_number(which, value, "value of a function of kinks")
     }
 }

@@ -13,6 +13,7 @@ pub(crate) mod limits;
 mod margin;
 mod now;
 mod saved;
+mod shown;
 mod strike;
 mod switch;
 mod trials;
@@ -230,7 +231,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E, K>
     ///
     /// A load itself must not jump there: what comes to a stop or sticks is a joint with modes ([`Coulomb`](crate::planar::Coulomb),
     /// [`HardStops`](crate::planar::HardStops)). One that crosses zero twice within a step is not seen
-    /// ([`longest_step`](Self::longest_step)). Fixed steps count anew from the end of such a step. Not over lanes, each of which would have kinks of its own.
+    /// ([`longest_step`](Self::longest_step)). Functions of positions and rates read [`Now::stepped`], for which no rule makes a sweep. Fixed steps count anew from the end of such a step. Not over lanes, each of which would have kinks of its own.
     ///
     /// ```
     /// use catena::planar::*;
@@ -240,7 +241,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E, K>
     /// let buffer = Loads::none().in_joints(|_, _, motion: &JointMotion<f64>| -50.0 * (motion.driven() - 1.0).max(0.0));
     /// let mut start = car.motion();
     /// start.set_rates(&[3.0])?; // (m/s)
-    /// let run = car.simulation(Dop853::step(0.1)).loads(&buffer).kinks(|now| [now.motion().position().1.0 - 1.0]);
+    /// let run = car.simulation(Dop853::step(0.1)).loads(&buffer).kinks(|now| [now.stepped().position().1.0 - 1.0]);
     /// let end = run.run(start, 1.5, |_| ())?.motion; // it meets the buffer after 1/3 s, and is thrown back π/5 s later
     /// let exact = 1.0 - 3.0 * (1.5 - 1.0 / 3.0 - core::f64::consts::PI / 5.0);
     /// assert!((end.position().1.0 - exact).abs() < 1e-8); // 0.012 if kinks are not told
@@ -254,7 +255,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E, K>
         F: FnMut(&Now<'_, S, R, C, P, L>) -> [S::Scalar; COUNT],
     {
         let Self { system, loads, rule, every, longest, event: Watched { event, .. }, stop } = self;
-        let event = Watched { event, kinks: Kinks(functions) };
+        let event = Watched { event, kinks: Kinks::of(functions) };
         Simulation { system, loads, rule, every, longest, event, stop }
     }
 }

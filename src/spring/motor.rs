@@ -81,7 +81,7 @@ impl<T: Scalar> Motor<T> {
     /// let wheel = System::new(Pinned::origin(), RigidBody::new(1.0, 1.0, [0.0; 2], [0.0; 2]), Free)?;
     /// let loads = Loads::none().in_joints(|time, _, motion: &JointMotion<f64>| motor.torque(wanted(time), motion.rate()));
     /// let run = wheel.simulation(Dop853::step(0.3)).loads(&loads).kinks(|now| {
-    ///     let (rate, ()) = *now.motion().rate();
+    ///     let (rate, ()) = *now.stepped().rate();
     ///     motor.kinks(wanted(now.time()), rate)
     /// });
     /// let end = run.run(wheel.motion(), 3.0, |_| ())?.motion;

@@ -84,6 +84,7 @@ fn a_held_chain_is_that_of_dense_multipliers() -> Result<(), Error> {
         most = most.max(off / size).max((torque - pulled(force)[3]).abs() / (1.0 + force.abs()));
     }
     println!("accelerations {worst:.1e}, forces {most:.1e}");
+    // Both solve the same equations: rounding, times the condition of a mass matrix of four links.
     assert!(worst < 1e-11 && most < 1e-11);
     Ok(())
 }
@@ -95,13 +96,16 @@ const BARS: [[f64; 3]; 4] = [[1.0, 0.06, 0.4], [0.6, 0.03, 0.5], [1.4, 0.09, 0.3
 
 /// Two arms that meet, alike in lengths, not in masses, whose coupling keeps them symmetric: one freedom is left.
 macro_rules! symmetric {
-    () => {{
+    () => {
+        symmetric!(Revolute::smooth())
+    };
+    ($shoulder:expr) => {{
         let bar = |k: usize, length| {
             let [mass, inertia, at] = BARS[k];
             RigidBody::new(mass, inertia, [at, 0.0], [length, 0.0])
         };
         let ([a, c], j) = (LINKS, Revolute::smooth());
-        let chain = (j, bar(0, a), j.named("left"), bar(1, c), j, bar(2, c), j.named("right"), bar(3, a));
+        let chain = ($shoulder, bar(0, a), j.named("left"), bar(1, c), j, bar(2, c), j.named("right"), bar(3, a));
         let scene = System::new(Clamped::origin(), chain, Pinned::at(BASE, 0.0))?.with_gravity(GRAVITY);
         let couplings = Couplings::of(&scene, [Coupling::new("right", "left")])?;
         (scene, couplings)
@@ -170,6 +174,7 @@ fn two_arms_fall_as_the_one_freedom_that_is_left() -> Result<(), Error> {
         time += weight * slowness(from + (to - from) * f64::from(k) / f64::from(2 * count));
     }
     time *= (from - to) / f64::from(6 * count);
+    // Simpson's rule errs by the fourth power of 1e-4, the run by its tolerance.
     near(end.time(), time, 1e-11);
     let [q, v] = coordinates(to, -slowness(to).recip());
     end.coordinates().iter().zip(q).for_each(|(x, y)| near(*x, y, 1e-10));
@@ -203,6 +208,7 @@ fn all_rules_keep_what_is_coupled_and_closed() -> Result<(), Error> {
             let off =
                 run.motion.coordinates().iter().zip(&reference).fold(0.0, |most: f64, (x, y)| most.max((x - y).abs()));
             println!("{}: misses {missed:.1e}, off {off:.1e}", $name);
+            // Kept to some hundred roundings; off by what each rule errs with this step or tolerance.
             assert!(missed < 2e-13 && off < $off);
         }};
     }
@@ -320,15 +326,7 @@ fn a_loop_with_a_coupling_keeps_its_energy() -> Result<(), Error> {
 /// Arms whose first joint rubs come to rest, as events find it and as time stepping does.
 #[test]
 fn arms_that_rub_come_to_rest_together() -> Result<(), Error> {
-    let bar = |k: usize, length| {
-        let [mass, inertia, at] = BARS[k];
-        RigidBody::new(mass, inertia, [at, 0.0], [length, 0.0])
-    };
-    let ([a, c], j) = (LINKS, Revolute::smooth());
-    let rubbing = Coulomb::new(j, 8.0);
-    let chain = (rubbing, bar(0, a), j.named("left"), bar(1, c), j, bar(2, c), j.named("right"), bar(3, a));
-    let scene = System::new(Clamped::origin(), chain, Pinned::at(BASE, 0.0))?.with_gravity(GRAVITY);
-    let couplings = Couplings::of(&scene, [Coupling::new("right", "left")])?;
+    let (scene, couplings) = symmetric!(Coulomb::new(Revolute::smooth(), 8.0)); // (N·m)
     let mut start = scene.motion();
     let [q, v] = coordinates(1.2, -1.0);
     start.set_coordinates(&q)?;
@@ -349,21 +347,14 @@ fn arms_that_rub_come_to_rest_together() -> Result<(), Error> {
         assert!(missed < 1e-12 && end.rates().iter().all(|rate| rate.abs() < 1e-12));
         ends.push(end.coordinates());
     }
+    // Time stepping is of order one: 1e-4 s at some rad/s.
     ends[0].iter().zip(&ends[1]).for_each(|(x, y)| near(*x, *y, 2e-3));
     Ok(())
 }
 
 #[test]
 fn friction_holds_what_weighs_on_all_links() -> Result<(), Error> {
-    let bar = |k: usize, length| {
-        let [mass, inertia, at] = BARS[k];
-        RigidBody::new(mass, inertia, [at, 0.0], [length, 0.0])
-    };
-    let ([a, c], j) = (LINKS, Revolute::smooth());
-    let rubbing = Coulomb::new(j, 100.0);
-    let chain = (rubbing, bar(0, a), j.named("left"), bar(1, c), j, bar(2, c), j.named("right"), bar(3, a));
-    let scene = System::new(Clamped::origin(), chain, Pinned::at(BASE, 0.0))?.with_gravity(GRAVITY);
-    let couplings = Couplings::of(&scene, [Coupling::new("right", "left")])?;
+    let (scene, couplings) = symmetric!(Coulomb::new(Revolute::smooth(), 100.0)); // (N·m)
     let mut start = scene.motion();
     start.set_coordinates(&coordinates(0.5, 0.0)[0])?;
     let start = scene.assembled(start, &couplings)?;
@@ -408,6 +399,7 @@ fn derivatives_go_forward() -> Result<(), Error> {
     for (k, expected) in [by([h, 0.0])?, by([0.0, h])?].into_iter().enumerate() {
         for (found, expected) in found.iter().zip(expected) {
             println!("{k}: {} {expected}", found.eps[k]);
+            // Central differences err by h² and by a rounding over h, 1e-11.
             near(found.eps[k], expected, 1e-7 * (1.0 + expected.abs()));
         }
     }

@@ -132,6 +132,7 @@ fn under_error_control_no_rule_hunts_for_kinks() -> Result<(), Error> {
         ($name:literal, $rule:expr) => {{
             let ((off, told), (hunting, hunts)) = (off!($rule, true)?, off!($rule, false)?);
             println!("{}: {off:.1e} in {} sweeps, not told {hunting:.1e} in {}", $name, told.sweeps, hunts.sweeps);
+            // Some sixty steps, each of which errs by the tolerance at most.
             assert!(off < 60.0 * TOLERANCE && off < 0.6 * hunting, "{off:e} {hunting:e}");
             assert!(told.rejected < hunts.rejected && 10 * told.sweeps < 11 * hunts.sweeps);
         }};
@@ -163,7 +164,7 @@ fn a_motor_that_saturates_keeps_the_order() -> Result<(), Error> {
     let run = |step: f64| {
         let simulation = wheel.simulation(Dop853::step(step)).loads(&loads).kinks(|now| {
             let [a, b, c, d, e, f] = motor.kinks(wanted(now.time()), now.motion().rates()[0]);
-            [a, b, c, d, e, f, now.time() - 2.5]
+            [a, b, c, d, e, f, now.time() - 2.5] // where what is asked for turns
         });
         Ok::<_, Error>(simulation.run(wheel.motion(), 4.0, |_| ())?.motion.rates()[0])
     };

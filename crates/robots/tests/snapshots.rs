@@ -114,6 +114,7 @@ fn yields(found: [[f64; 6]; 6], inertia: Result<[[f64; 6]; 6], catena::Error>, r
     let jacobian = DMatrix::from_fn(6, rows.len(), |i, k| rows[k][i]);
     let solved = mass.clone().lu().solve(&jacobian.transpose()).expect("a regular matrix");
     let right = &jacobian * solved;
+    // Rounding times the condition of the mass matrix, and of the inverse of what came of it.
     agree(found.as_flattened(), right.as_slice(), 1e-11);
     match inertia {
         Ok(inertia) => {

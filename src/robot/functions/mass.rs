@@ -18,9 +18,8 @@ use nalgebra::Vector3;
 
 /// The walk that finds the mass matrix of the joints, what they take of the base, and all of the robot as one body, in axes of the base.
 #[inline(always)]
-fn composite<T: Scalar, const N: usize>(q: &[T; N]) -> Composite<T, N> {
-    let (o, matrix) = ([T::zero(); 3], [[T::zero(); N]; N]);
-    Composite { positions: *q, sines: stands(q), columns: [[o; 2]; N], matrix, next: N }
+fn composite<'m, T: Scalar, const N: usize>(q: &[T; N], matrix: &'m mut [[T; N]; N]) -> Composite<'m, T, N> {
+    Composite { positions: *q, sines: stands(q), columns: [[[T::zero(); 3]; 2]; N], matrix, next: N }
 }
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
@@ -35,9 +34,12 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     {
         self.has_joints(N)?;
         finite(q)?;
-        let mut walk = composite(q);
-        Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
-        Ok(walk.matrix)
+        // Written where it is returned, for it is large.
+        let mut found = Ok([[T::zero(); N]; N]);
+        if let Ok(matrix) = &mut found {
+            Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut composite(q, matrix), Whole::nothing(N), ());
+        }
+        found
     }
 
     /// M factored.
@@ -126,7 +128,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        let mut walk = composite(q);
+        let mut walk = composite(q, &mut found.joints);
         let whole = Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
         let Whole { mass, moment, tensor: [xx, yy, zz, yz, xz, xy], .. } = whole;
         for (coupling, [force, torque]) in found.coupling.iter_mut().zip(walk.columns) {
@@ -147,6 +149,5 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
             found.base[3 + k] = turn;
             (0..3).for_each(|i| found.base[i][3 + k] = turn[i]);
         }
-        found.joints = walk.matrix;
     }
 }

@@ -74,7 +74,7 @@ pub trait Tasks<T: Scalar, const N: usize>:
     + Takes<S<T>, Load<T, N>>
     + Takes<S<T>, Resisting<T, N>>
     + Takes<S<T>, Slopes<T, N>>
-    + Takes<S<T>, Composite<T, N>>
+    + for<'m> Takes<S<T>, Composite<'m, T, N>>
     + Takes<S<T>, Factor<T, N>>
     + Takes<S<T>, Inward<T, N>>
     + Takes<S<T>, Outward<T, N>>
@@ -95,7 +95,7 @@ impl<T: Scalar, const N: usize, C> Tasks<T, N> for C where
         + Takes<S<T>, Load<T, N>>
         + Takes<S<T>, Resisting<T, N>>
         + Takes<S<T>, Slopes<T, N>>
-        + Takes<S<T>, Composite<T, N>>
+        + for<'m> Takes<S<T>, Composite<'m, T, N>>
         + Takes<S<T>, Factor<T, N>>
         + Takes<S<T>, Inward<T, N>>
         + Takes<S<T>, Outward<T, N>>

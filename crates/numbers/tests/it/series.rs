@@ -41,7 +41,7 @@ macro_rules! off {
                 largest = largest.max(right.abs());
             }
         }
-        println!("{worst:.1e} of {largest:.1e}");
+        println!("{worst:.1e} of {largest:.1e}"); // bounds are some thousand roundings, and what the other run errs by
         worst / largest
     }};
 }

@@ -9,12 +9,12 @@ use super::through::{Solid, Through, through};
 use crate::scalar::Scalar;
 
 /// The mass matrix as far as it is known, and what its columns are at the present body.
-pub struct Composite<T, const N: usize> {
+pub struct Composite<'m, T, const N: usize> {
     pub positions: [T; N],
     /// Sines and cosines of all positions, which slides do not read.
     pub sines: [Stand<T>; N],
     pub columns: [[[T; 3]; 2]; N],
-    pub matrix: [[T; N]; N],
+    pub matrix: &'m mut [[T; N]; N],
     pub next: usize,
 }
 
@@ -45,7 +45,7 @@ impl<T: Scalar> Whole<T> {
     }
 }
 
-through!([const N: usize] Composite<T, N>, Whole<T>, inward, |walk, chain, go| {
+through!([const N: usize] Composite<'_, T, N>, Whole<T>, inward, |walk, chain, go| {
     let beyond = Whole::nothing(walk.next);
     let arm = go(walk, beyond);
     chain.with(arm.mass, triple(arm.moment), &triangle(63, arm.tensor))
@@ -76,7 +76,7 @@ fn about_z<T: Scalar>([sine, cosine]: Stand<T>) -> Rows<T> {
     [[c, s.negated(), o], [s, c, o], [o, o, i]]
 }
 
-impl<T: Scalar, const N: usize> Through<T> for Composite<T, N> {
+impl<T: Scalar, const N: usize> Through<T> for Composite<'_, T, N> {
     #[cfg_attr(optimised, inline(always))]
     fn axis<A: Standing<T>>(&mut self, axis: &A, whole: Whole<T>) -> Whole<T> {
         self.next -= 1;
