@@ -9,7 +9,7 @@ use super::{Control, Rule};
 /// hardly ever rejected. A series counts as one sweep; where a tip is held or a loop closed, one more goes to each projection.
 ///
 /// It knows rods, rigid bodies, point masses, pins, welds, sliders and rotary springs and dampers of the plane, and rods, rigid bodies, point
-/// masses, balls, welds and revolute joints with springs and dampers of space, in tuples, arrays, vectors and branches, on ground that
+/// masses, balls, welds, revolute and prismatic joints with springs and dampers of space, in tuples, arrays, vectors and branches, on ground that
 /// rests, with a free tip or one that `Pinned` or `Clamped`, in the plane `Guided`, in space `Hinged` holds to ground that rests, and around
 /// loops that a `Pin` or a `Weld` of the plane closes, or of space a `Weld`, or a `Ball` where no efforts act; under gravity and efforts in
 /// joints: values held over a step ([`Loads::efforts`](crate::loading::Loads::efforts)), or functions of time

@@ -13,6 +13,7 @@ mod scalars;
 mod sensitivities;
 mod sensitivity;
 mod series;
+mod series_of_slides;
 mod shared_steps;
 mod sine;
 mod spatial_scalars;

@@ -9,12 +9,14 @@
 //! | rigid body | 18: three axes | 18: moments of what acts along each | 36 |
 //! | ball | 12: the attitude | 15 under a torque in axes of the body | 12 or 27 |
 //! | revolute | 6: the axis | 3: torque about it, 3: rate along it | 12 |
+//! | prismatic joint | 9: the axis, the place along it | 9: force along it, moment of the arm | 18 |
 //! | weld | | | 0 |
 //!
 //! They are taken four at a time from three rows of coefficients, so that each takes a quarter of k products.
 
 mod ball;
 mod loops;
+mod prismatic;
 mod products;
 mod revolute;
 mod rigid_body;

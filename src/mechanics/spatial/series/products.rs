@@ -104,6 +104,18 @@ fn spread<T: Scalar>(turned: &[Rows<T>], turning: &[Rows<T>]) -> Rows<T> {
     })
 }
 
+/// Each entry of the axis times its row; and, of the arm and the force beside it, the cross product: entries of the arm, of the next axis and of
+/// the one after that, are the other rows.
+#[inline(never)]
+fn slide<T: Scalar>(turned: &[Rows<T>], turning: &[Rows<T>]) -> (Rows<T>, [T; 4]) {
+    let nothing = (none(), [T::zero(); 4]);
+    convolve(turned, turning, nothing, |([x, y, z], moment), [v, next, after], [a, b, c]| {
+        let sums = [add(x, v[0], *a), add(y, v[1], *b), add(z, v[2], *c)];
+        let ([p, q, r], o) = ([a[0], b[0], c[0]], T::zero());
+        (sums, take_each(add_each(moment, *next, [r, p, q, o]), *after, [q, r, p, o]))
+    })
+}
+
 /// `sum` and cross products of three vectors side by side with three others.
 #[inline(always)]
 fn add_cross<T: Scalar>(sum: Rows<T>, [x, y, z]: &Rows<T>, [u, v, w]: &Rows<T>) -> Rows<T> {
@@ -176,6 +188,14 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     pub(super) fn swept(&self, k: usize) -> Rows<T> {
         let (turned, turning) = self.known(k);
         sweep(turned, turning)
+    }
+
+    /// Each entry of the axis times its row, and the cross product of arm and force.
+    #[inline(always)]
+    pub(super) fn slid(&self, k: usize) -> (Rows<T>, Vector3<T>) {
+        let (turned, turning) = self.known(k);
+        let (sums, moment) = slide(turned, turning);
+        (sums, vector(moment))
     }
 
     /// Each entry of the vector that turns times the one row.
