@@ -94,6 +94,13 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
         Self { length, ..self }
     }
 
+    /// The last body that it ends at.
+    fn last_body(&self) -> Option<usize> {
+        let body = |end: &End<T, D>| if let End::Body(k, _) = end { Some(*k) } else { None };
+        let [from, to] = self.ends.each_ref().map(body);
+        from.max(to)
+    }
+
     /// Energy stored (J), for the places of its ends (m).
     pub fn energy(&self, from: SVector<T, D>, to: SVector<T, D>) -> T {
         let (apart, half) = (to - from, crate::scalar::Real::of(0.5));
@@ -174,8 +181,27 @@ impl<T, const D: usize, const N: usize, L> Struts<T, D, N, L> {
     }
 }
 
-/// Places and velocities of the ends of struts that are on bodies.
-pub(crate) type Seen<T, const D: usize, const N: usize> = [[[SVector<T, D>; 2]; 2]; N];
+/// Places and velocities of the ends of struts.
+pub(crate) type Ends<T, const D: usize, const N: usize> = [[[SVector<T, D>; 2]; 2]; N];
+
+/// What has been seen of struts.
+#[derive(Clone, Copy, Debug)]
+pub struct Sight<T, const D: usize, const N: usize> {
+    pub(crate) ends: Ends<T, D, N>,
+    /// Forces (N) on first ends, of struts both of whose ends have been seen.
+    forces: [SVector<T, D>; N],
+    /// Bit k is set where a strut ends at a body whose number is k but for a multiple of 64: most bodies of a long chain have none, and look at
+    /// no strut.
+    bodies: u64,
+}
+
+impl<T, const D: usize, const N: usize> Sight<T, D, N> {
+    /// Whether struts may end at a body.
+    #[inline(always)]
+    fn may_be_on(&self, body: usize) -> bool {
+        self.bodies >> (body % 64) & 1 != 0
+    }
+}
 
 impl<S, L, const D: usize, const N: usize> Loading<S> for Struts<S::Scalar, D, N, L>
 where
@@ -184,7 +210,7 @@ where
 {
     type OnBody = WrenchOf<S>;
     type InJoint = L::InJoint;
-    type Seen = (Seen<S::Scalar, D, N>, L::Seen);
+    type Seen = (Sight<S::Scalar, D, N>, L::Seen);
     const ON: bool = true;
     const SURVEYS: bool = true;
 
@@ -193,18 +219,33 @@ where
         const { assert!(!L::BY_COORDINATE, "beside struts joints are numbered from the root's on: take `Loads::efforts`") }
         (Wrench::none(), L::nothing().1)
     }
-    fn unseen() -> Self::Seen {
+    #[cfg_attr(optimised, inline(always))]
+    fn unseen(&self) -> Self::Seen {
         // Until a body has been seen it is nowhere.
-        let nowhere = SVector::repeat(S::Scalar::literal(f64::NAN));
-        ([[[nowhere; 2]; 2]; N], L::unseen())
+        let (nowhere, still) = (SVector::repeat(S::Scalar::literal(f64::NAN)), SVector::repeat(S::Scalar::zero()));
+        let (mut ends, mut bodies) = ([[[nowhere; 2]; 2]; N], 0);
+        for (end, seen) in self.struts.iter().flat_map(|strut| &strut.ends).zip(ends.as_flattened_mut()) {
+            match end {
+                End::Ground(place) => *seen = [SVector::from(*place), still],
+                End::Body(k, _) => bodies |= 1 << (k % 64),
+            }
+        }
+        (Sight { ends, forces: [nowhere; N], bodies }, self.others.unseen())
     }
-    fn survey(&self, (ends, others): &mut Self::Seen, body: usize, motion: &S::BodyMotion) {
-        for (strut, seen) in self.struts.iter().zip(ends) {
-            for (end, seen) in strut.ends.iter().zip(seen) {
-                match end {
-                    End::Body(k, at) if *k == body => *seen = S::point(motion, *at),
-                    End::Ground(place) => *seen = [SVector::from(*place), SVector::repeat(S::Scalar::zero())],
-                    End::Body(..) => {}
+    #[cfg_attr(optimised, inline(always))]
+    fn survey(&self, (sight, others): &mut Self::Seen, body: usize, motion: &S::BodyMotion) {
+        if sight.may_be_on(body) {
+            for ((strut, ends), force) in self.struts.iter().zip(&mut sight.ends).zip(&mut sight.forces) {
+                for (end, seen) in strut.ends.iter().zip(&mut *ends) {
+                    if let End::Body(k, at) = end
+                        && *k == body
+                    {
+                        *seen = S::point(motion, *at);
+                    }
+                }
+                // Bodies are seen in the order of their numbers.
+                if strut.last_body() == Some(body) {
+                    *force = strut.force(*ends);
                 }
             }
         }
@@ -212,21 +253,23 @@ where
             self.others.survey(others, body, motion);
         }
     }
+    #[cfg_attr(optimised, inline(always))]
     fn on_body(
         &self,
-        (ends, others): &Self::Seen,
+        (sight, others): &Self::Seen,
         time: RealOf<S>,
         body: usize,
         motion: &S::BodyMotion,
     ) -> WrenchOf<S> {
         let mut sum = Wrench::none();
-        for (strut, seen) in self.struts.iter().zip(ends) {
-            for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
-                if let End::Body(k, at) = end
-                    && *k == body
-                {
-                    let force = strut.force(*seen) * S::Scalar::literal(sign);
-                    sum = sum + S::pull(motion, *at, force);
+        if sight.may_be_on(body) {
+            for (strut, force) in self.struts.iter().zip(&sight.forces) {
+                for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
+                    if let End::Body(k, at) = end
+                        && *k == body
+                    {
+                        sum = sum + S::pull(motion, *at, *force * S::Scalar::literal(sign));
+                    }
                 }
             }
         }

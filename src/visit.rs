@@ -1,6 +1,6 @@
 //! What walks over a scene do at its bodies, at its joints and where arms leave.
 
-use crate::element::Coordinates;
+use crate::element::{Coordinates, Posture};
 use crate::loading::Loading;
 use crate::relation::WrenchOf;
 use crate::release::Release;
@@ -8,6 +8,7 @@ use crate::scalar::Scalar;
 use crate::shape::{Body, PerBody, PerJoint, Shape};
 use crate::space::{FrameOf, MovingBody, Space};
 pub use crate::walks::look::look;
+use crate::walks::posed::travel_posed;
 use crate::walks::travel::{show, travel};
 use num_traits::Zero;
 
@@ -177,6 +178,22 @@ impl<S: Space> Watch<S> for Last<S> {
     }
 }
 
+/// What loads have to see of a whole scene first, where bodies stand as a posture says.
+pub(crate) fn survey_posed<S: Space, E: Shape<S>, L: Loading<S>>(
+    chain: &E,
+    ground: FrameOf<S>,
+    posture: Posture<'_, S, E>,
+    motion: Coordinates<'_, S, E>,
+    loads: &L,
+) -> L::Seen {
+    let mut surveyor = Surveyor { loads, seen: loads.unseen(), body: 0 };
+    if const { L::SURVEYS } {
+        let (bodies, joints) = (&mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
+        travel_posed(chain, ground, posture, motion, &mut surveyor, bodies, joints);
+    }
+    surveyor.seen
+}
+
 /// What loads have to see of a whole scene first.
 pub(crate) fn survey<S: Space, E: Shape<S>, L: Loading<S>>(
     chain: &E,
@@ -184,7 +201,7 @@ pub(crate) fn survey<S: Space, E: Shape<S>, L: Loading<S>>(
     motion: Coordinates<'_, S, E>,
     loads: &L,
 ) -> L::Seen {
-    let mut surveyor = Surveyor { loads, seen: L::unseen(), body: 0 };
+    let mut surveyor = Surveyor { loads, seen: loads.unseen(), body: 0 };
     // A constant, so that a compiler does not even look at what follows where there is nothing to see.
     if const { L::SURVEYS } {
         let (bodies, joints) = (&mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
@@ -204,6 +221,7 @@ impl<S: Space, L: Loading<S>> Visit<S> for Surveyor<'_, S, L> {
     type OnBody = ();
     type InJoint = ();
 
+    #[cfg_attr(optimised, inline(always))]
     fn body(&mut self, body: &S::BodyMotion) {
         self.loads.survey(&mut self.seen, self.body, body);
         self.body += 1;

@@ -17,7 +17,7 @@ use crate::loading::{Load, LoadLaw, Loading, Loads, Unloaded};
 use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;
 use crate::space::FrameOf;
-use crate::struts::{End, Points, Seen, Strut, dot, is_absent, norm};
+use crate::struts::{End, Ends, Points, Strut, dot, is_absent, norm};
 use nalgebra::SVector;
 use num_traits::Zero;
 
@@ -144,7 +144,7 @@ pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
 /// end, which is on a body, gives those that both have in common.
 pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
     struts: &[Strut<S::Scalar, D>; N],
-    (seen, stirred): (&Seen<S::Scalar, D, N>, &EndsStirred<S::Scalar, D, N>),
+    (seen, stirred): (&Ends<S::Scalar, D, N>, &EndsStirred<S::Scalar, D, N>),
     body: usize,
     (frame, stirring): (&FrameOf<S>, S::Angular),
     of_struts: &mut [ByStrut<S::Scalar, D>; N],
@@ -215,13 +215,14 @@ macro_rules! struts {
                     stir::<$Space<T>, $D, N>(struts, ends, *body, frame, stirred);
                     return Felt::null();
                 }
-                let felt = felt::<$Space<T>, $D, N>(struts, (seen, ends), *body, (frame, stirred.1), of_struts);
+                let felt = felt::<$Space<T>, $D, N>(struts, (&seen.ends, ends), *body, (frame, stirred.1), of_struts);
                 if const { !<L::Law as BodyLaw<$Space<T>>>::ON } {
                     return felt;
                 }
                 // A law of one body's motion sees no other.
-                let seen = (<Alone<$Space<T>, L::Law>>::unseen(), <L::Law as BodyLaw<$Space<T>>>::unstirred());
                 let law = law.others().law();
+                let seen =
+                    (BodyLaw::<$Space<T>>::beside(law, Absent).unseen(), <L::Law as BodyLaw<$Space<T>>>::unstirred());
                 let (time, body, level, surveys) = (*time, *body, *level, false);
                 let mut walk = PullLoads { law, seen, surveys, time, body, level, of_law: *of_law };
                 let more = L::Law::felt(&mut walk, numbers, frame, stirred, sums);

@@ -88,8 +88,8 @@ where
         const { assert!(!L::BY_COORDINATE, "beside couplings joints are numbered from the root's on: take `Loads::efforts`") }
         (L::nothing().0, Additive::null())
     }
-    fn unseen() -> L::Seen {
-        L::unseen()
+    fn unseen(&self) -> L::Seen {
+        self.others.unseen()
     }
     fn survey(&self, seen: &mut L::Seen, body: usize, motion: &S::BodyMotion) {
         self.others.survey(seen, body, motion);

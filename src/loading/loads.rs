@@ -182,7 +182,7 @@ impl<S: Space, B: LoadLaw<S::BodyMotion, Value: Load<S>>, J: LoadLaw<S::JointMot
     const ON: bool = B::ON || J::ON;
     const READS: bool = B::READS || J::READS;
 
-    fn unseen() {}
+    fn unseen(&self) {}
     fn nothing() -> (B::Value, J::Value) {
         (B::Value::null(), J::Value::null())
     }

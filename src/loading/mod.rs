@@ -45,7 +45,7 @@ pub trait Loading<S: Space> {
     /// No load, to fill stores with.
     fn nothing() -> (Self::OnBody, Self::InJoint);
     /// Nothing has been seen yet.
-    fn unseen() -> Self::Seen;
+    fn unseen(&self) -> Self::Seen;
     /// Sees a body.
     fn survey(&self, seen: &mut Self::Seen, body: usize, motion: &S::BodyMotion) {
         let _ = (seen, body, motion);
@@ -152,7 +152,7 @@ impl<S: Space> Loading<S> for Unloaded {
     const ON: bool = false;
     const READS: bool = false;
 
-    fn unseen() {}
+    fn unseen(&self) {}
     fn nothing() -> (Absent, Absent) {
         (Absent, Absent)
     }

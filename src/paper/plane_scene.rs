@@ -113,7 +113,7 @@ where
     }
 
     fn external(&self, loads: &L, time: T::Real, number: usize, body: &BodyMotion<T>) -> External<T> {
-        let load = loads.on_body(&L::unseen(), time, number, body).wrench();
+        let load = loads.on_body(&loads.unseen(), time, number, body).wrench();
         let force = load.force;
         let torque = load.torque - (body.to_centre.x * force.y - body.to_centre.y * force.x);
         let total = force + System::gravity(self) * body.inertia.mass;

@@ -11,11 +11,12 @@ use crate::ends::{Root, Tip};
 use crate::relation::{Acceleration, Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
-use crate::visit::{Visit, survey};
+use crate::visit::{Visit, survey, survey_posed};
 use crate::walks::entries::{Entry, entries};
 use crate::walks::exert::Exert;
 use crate::walks::faced::faced;
 use crate::walks::measure::gains;
+use crate::walks::posed::travel_posed;
 use crate::walks::recover::recover;
 use crate::walks::respond::respond;
 use crate::walks::restore::restore;
@@ -143,12 +144,12 @@ pub fn sweep<S: Space, E, W, R, P>(
             let motion = Coordinates { position, rate, acceleration };
             let fallen = FrameOf::<S> { acceleration: ground.falling(*gravity), ..*ground };
             let seen = survey(chain, fallen, motion, *loads);
-            travel(chain, fallen, motion, Exert::new(*loads, *time, seen), on_bodies, in_joints);
+            travel(chain, fallen, motion, Exert::new(*loads, *time, &seen), on_bodies, in_joints);
         } else {
             let motion = Coordinates { position, rate, acceleration };
-            let seen = survey(chain, *ground, motion, *loads);
-            let posture = Posture { x, y, p, q };
-            Exert::new(*loads, *time, seen).walk(chain, *ground, posture, motion, on_bodies, in_joints);
+            let seen = survey_posed(chain, *ground, Posture { x, y, p, q }, motion, *loads);
+            let (posture, exert) = (Posture { x, y, p, q }, Exert::new(*loads, *time, &seen));
+            travel_posed(chain, *ground, posture, motion, exert, on_bodies, in_joints);
         }
     }
     // Chains of hinges are inlined as a whole: what was stored is then better read from where it stands than kept beside it, for registers
@@ -214,7 +215,7 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
         return broken;
     }
     let seen = survey(chain, *ground, motion, loads);
-    let mut check = LoadCheck { pass: Exert::new(loads, time, seen), broken: None };
+    let mut check = LoadCheck { pass: Exert::new(loads, time, &seen), broken: None };
     show(chain, *ground, motion, &mut check);
     check.broken
 }

@@ -37,6 +37,7 @@ pub mod meet;
 pub mod missed;
 pub mod orient;
 pub mod parts;
+pub mod posed;
 pub mod pull_back;
 pub mod pull_loads;
 pub mod reach;

@@ -131,7 +131,7 @@ where
     }
 
     fn external(&self, loads: &L, time: T::Real, number: usize, body: &BodyMotion<T>) -> External<T> {
-        let load = loads.on_body(&L::unseen(), time, number, body).wrench();
+        let load = loads.on_body(&loads.unseen(), time, number, body).wrench();
         let force: [T; 3] = load.force.into();
         let moved = cross(body.to_centre.into(), force);
         let total = Vector3::from(force) + System::gravity(self) * body.inertia.mass;

@@ -2,7 +2,7 @@
 
 use super::Backward;
 use super::rules::Staged;
-use crate::adjoint::{Alone, BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Surveyed};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Surveyed};
 use crate::element::{Coordinates, Element, Level, RealOf, Space, Unloaded};
 use crate::ends::Root;
 use crate::loading::{EffortOf, Load, Loading};
@@ -31,7 +31,8 @@ pub(super) struct Seen<S: Reversed, E: Element<S>, L: BodyLaw<S>> {
 impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Seen<S, E, L> {
     pub(super) fn new(elements: &E, law: L, ground: FrameOf<S>) -> Self {
         let on_bodies = elements.store::<PerBody<_>>((ground, Wrench::none()));
-        Self { law, seen: Alone::<S, L>::unseen(), on_bodies, in_joints: elements.store::<PerJoint<_>>(()) }
+        let (seen, in_joints) = (law.beside(Absent).unseen(), elements.store::<PerJoint<_>>(()));
+        Self { law, seen, on_bodies, in_joints }
     }
 
     /// Finds frames of bodies, and the loads on them; gives the frame of the tip.

@@ -2,11 +2,11 @@
 
 use super::loads::{BODY, Felt};
 use crate::adjoint::struts::{BesideStruts, ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
-use crate::adjoint::{Alone, BodyLaw, OfLaw, ReversibleLoads};
+use crate::adjoint::{BodyLaw, OfLaw, ReversibleLoads};
 use crate::loading::{LoadLaw, Loading, Loads};
 use crate::mechanics::planar::{Frame, JointMotion, Planar};
-use crate::relation::Additive;
 use crate::relation::planar::algebra::{add_scaled, dot, normal};
+use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;
 use crate::struts::Struts;
 use crate::walks::pull_loads::PullLoads;

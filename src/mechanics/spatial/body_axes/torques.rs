@@ -41,7 +41,7 @@ impl<T: Scalar, V: AsRef<[T]>> Loading<Spatial<T>> for Torques<V> {
     const READS: bool = false;
     const BY_COORDINATE: bool = true;
 
-    fn unseen() {}
+    fn unseen(&self) {}
     fn nothing() -> (Absent, T) {
         (Absent, T::zero())
     }
