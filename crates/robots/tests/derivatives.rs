@@ -185,6 +185,7 @@ fn afloat() -> Result<(), Error> {
     let (scene, mut noise) = (kit::floating()?, Noise::new(44));
     let over = scene.lift(Dual::of);
     let mut kept = (ByStateAfloat::zero(), Blocks::zero());
+    let (mut matrix, mut blocks, mut slopes) = (MassMatrix::zero(), Blocks::zero(), ByStateAfloat::zero());
     for _ in 0..20 {
         let kit::Drift { start, q, v, .. } = kit::drift(&scene, &mut noise)?;
         let base = scene.body_motions(&start)?.get(0).map(Afloat::of).expect("a base");
@@ -198,10 +199,11 @@ fn afloat() -> Result<(), Error> {
         agree(found.base.as_flattened(), of_base.as_flattened(), DIRECT);
         agree(found.coupling.as_flattened(), coupling.as_flattened(), DIRECT);
         agree(found.joints.as_flattened(), joints.as_flattened(), DIRECT);
-        let found = scene.mass_matrix_afloat(base.place, &q)?;
-        agree(found.base.as_flattened(), of_base.as_flattened(), DIRECT);
-        agree(found.coupling.as_flattened(), coupling.as_flattened(), DIRECT);
-        agree(found.joints.as_flattened(), joints.as_flattened(), DIRECT);
+        // Places that still hold what was found before.
+        scene.mass_matrix_afloat_into(base.place, &q, &mut matrix)?;
+        assert_eq!(matrix, found);
+        scene.mass_inverse_afloat_into(base.place, &q, &mut blocks)?;
+        assert_eq!(blocks, scene.mass_inverse_afloat(base.place, &q)?);
         for joint in [None, Some(1), Some(N - 1)] {
             let point = list(&mut noise, 0.5);
             let (found, right) = (scene.jacobian_afloat(base.place, &q, joint, point)?, now.jacobian(joint, point)?);
@@ -227,6 +229,8 @@ fn afloat() -> Result<(), Error> {
 
         let (of_base, seconds) = scene.forward_dynamics_afloat(base, &q, &v, &wrench, &torques)?;
         let taken = scene.inverse_dynamics_derivatives_afloat(base, &q, &v, &of_base, &seconds)?;
+        scene.inverse_dynamics_derivatives_afloat_into(base, &q, &v, &of_base, &seconds, &mut slopes)?;
+        assert_eq!(slopes, taken);
         let (moved, by_torques) = scene.forward_dynamics_derivatives_afloat(base, &q, &v, &wrench, &torques)?;
         scene.forward_dynamics_derivatives_afloat_into(base, &q, &v, &wrench, &torques, &mut kept)?;
         assert_eq!(kept, (moved, by_torques));

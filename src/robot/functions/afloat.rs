@@ -144,7 +144,8 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        let mut matrix = self.mass_matrix_afloat(base, q)?; // which refuses another number of joints
+        let mut matrix = MassMatrix::zero();
+        self.mass_matrix_afloat_into(base, q, &mut matrix)?; // which refuses another number of joints
         solved(&Floating::of(&mut matrix, &self.parents()), wrench, torques)
     }
 
@@ -156,11 +157,27 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        let mut matrix = self.mass_matrix_afloat(base, q)?; // which refuses another number of joints
-        let parents = self.parents();
-        let mut inverse = Blocks::zero();
-        Floating::of(&mut matrix, &parents).inverse(&mut inverse);
-        inverse.all_finite().map(|()| inverse)
+        let mut found = Blocks::zero();
+        self.mass_inverse_afloat_into(base, q, &mut found).map(|()| found)
+    }
+
+    /// [`mass_inverse_afloat`](Self::mass_inverse_afloat) into a place that is kept from call to call. What the place holds is overwritten.
+    ///
+    /// # Errors
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat); what is in the place then is of no use.
+    pub fn mass_inverse_afloat_into<const N: usize>(
+        &self,
+        base: Place<T>,
+        q: &[T; N],
+        found: &mut Blocks<T, N>,
+    ) -> Result<(), Error>
+    where
+        C: Tasks<T, N>,
+    {
+        let mut matrix = MassMatrix::zero();
+        self.mass_matrix_afloat_into(base, q, &mut matrix)?; // which refuses another number of joints
+        Floating::of(&mut matrix, &self.parents()).inverse(found);
+        found.all_finite()
     }
 
     /// Derivatives of [inverse dynamics](Snapshot::inverse_dynamics) of a robot whose base floats, by positions and rates of base and joints,
@@ -180,10 +197,31 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
+        let mut found = ByStateAfloat::zero();
+        self.inverse_dynamics_derivatives_afloat_into(base, q, v, of_base, seconds, &mut found).map(|()| found)
+    }
+
+    /// [`inverse_dynamics_derivatives_afloat`](Self::inverse_dynamics_derivatives_afloat) into a place that is kept from call to call. What the place
+    /// holds is overwritten.
+    ///
+    /// # Errors
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat); what is in the place then is of no use.
+    pub fn inverse_dynamics_derivatives_afloat_into<const N: usize>(
+        &self,
+        base: Afloat<T>,
+        q: &[T; N],
+        v: &[T; N],
+        of_base: &[T; 6],
+        seconds: &[T; N],
+        found: &mut ByStateAfloat<T, N>,
+    ) -> Result<(), Error>
+    where
+        C: Tasks<T, N>,
+    {
         let now = self.snapshot_afloat(base, q, v)?;
-        let mut by = ByStateAfloat::zero();
-        self.derived(&now, &mut now.moved(), (q, v), (of_base, seconds), &mut by);
-        by.all_finite().map(|()| by)
+        [&mut found.positions, &mut found.rates].into_iter().for_each(Blocks::clear);
+        self.derived(&now, &mut now.moved(), (q, v), (of_base, seconds), found);
+        found.all_finite()
     }
 
     /// Derivatives of [`forward_dynamics_afloat`](Self::forward_dynamics_afloat) by positions and rates of base and joints, and by the wrench on
@@ -244,7 +282,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         let mass = Floating::of(&mut matrix, now.parents());
         let wrench = core::array::from_fn(|k| wrench[k] - of_base[k]);
         let (of_base, seconds) = solved(&mass, &wrench, &core::array::from_fn(|k| torques[k] - of_joints[k]))?;
-        [&mut by.positions, &mut by.rates, &mut *by_forces].into_iter().for_each(Blocks::clear);
+        [&mut by.positions, &mut by.rates].into_iter().for_each(Blocks::clear);
         self.derived(&now, &mut moved, (q, v), (&of_base, &seconds), by);
         by.positions.solve(-T::one(), &mass);
         by.rates.solve(-T::one(), &mass);

@@ -121,10 +121,9 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
             now.pairs(i, partial, carrying, by.putting());
         });
         self.stiffened(q, v, by.adding());
-        by_torques.iter_mut().enumerate().for_each(|(k, row)| row[k] = T::one());
         mass.solve_joints(-T::one(), &mut by.positions);
         mass.solve_joints(-T::one(), &mut by.rates);
-        mass.solve_joints(T::one(), &mut by_torques);
+        mass.inverse(&mut by_torques);
         by.all_finite().and(finite(by_torques.as_flattened()))?;
         Ok((by, by_torques))
     }

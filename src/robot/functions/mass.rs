@@ -112,22 +112,41 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
     where
         C: Tasks<T, N>,
     {
-        self.has_joints(N)?;
-        checked(&base).and(finite(q))?;
-        // Written where it is returned, for it is large.
-        let mut found = Ok(MassMatrix::zero());
-        if let Ok(mass) = &mut found {
-            self.inertia_afloat(&base.attitude, q, mass);
-        }
-        found
+        let mut found = MassMatrix::zero();
+        self.mass_matrix_afloat_into(base, q, &mut found).map(|()| found)
     }
 
-    /// The mass matrix at positions that were looked at.
-    #[cfg_attr(optimised, inline(always))]
-    fn inertia_afloat<const N: usize>(&self, attitude: &Columns<T>, q: &[T; N], found: &mut MassMatrix<T, N>)
+    /// [`mass_matrix_afloat`](Self::mass_matrix_afloat) into a place that is kept from call to call, for it is large: copies take a third of a
+    /// humanoid's time. What the place holds is overwritten.
+    ///
+    /// ```
+    /// use catena::robot::*;
+    /// let link = Link::general(3.0_f64, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
+    /// let robot = System::new(Free, (BodyAxes, link, Hinge::at::<7>([0.3, 0.2, -0.1]), link), Free)?;
+    /// let base = Afloat::of(robot.body_motions(&robot.motion())?.get(0).unwrap()).place;
+    /// let mut found = MassMatrix::zero();
+    /// for angle in [0.3, 0.4] {
+    ///     robot.mass_matrix_afloat_into(base, &[angle], &mut found)?;
+    ///     assert_eq!(found, robot.mass_matrix_afloat(base, &[angle])?);
+    /// }
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`forward_dynamics_afloat`](Self::forward_dynamics_afloat); the place is then as it was.
+    pub fn mass_matrix_afloat_into<const N: usize>(
+        &self,
+        base: Place<T>,
+        q: &[T; N],
+        found: &mut MassMatrix<T, N>,
+    ) -> Result<(), Error>
     where
         C: Tasks<T, N>,
     {
+        self.has_joints(N)?;
+        checked(&base).and(finite(q))?;
+        let attitude = &base.attitude;
+        found.joints.as_flattened_mut().fill(T::zero()); // joints of which neither carries the other
         let mut walk = composite(q, &mut found.joints);
         let whole = Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
         let Whole { mass, moment, tensor: [xx, yy, zz, yz, xz, xy], .. } = whole;
@@ -144,10 +163,12 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         };
         let Columns { x, y, z } = Columns::identity();
         let turns = [turning(x, [xx, xy, xz]), turning(y, [xy, yy, yz]), turning(z, [xz, yz, zz])];
+        found.base = [[T::zero(); 6]; 6];
         for (k, turn) in turns.into_iter().enumerate() {
             found.base[k][k] = mass;
             found.base[3 + k] = turn;
             (0..3).for_each(|i| found.base[i][3 + k] = turn[i]);
         }
+        Ok(())
     }
 }

@@ -2,7 +2,7 @@
 //! and force control of robot manipulators: the operational space formulation*, IEEE Journal of Robotics and Automation 3, 1987).
 
 use super::snapshot::{Factor, Floating, inverted};
-use super::{FixedBase, S, SixRows, Tasks, finite};
+use super::{FixedBase, MassMatrix, S, SixRows, Tasks, finite};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -96,7 +96,8 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         C: Tasks<T, N>,
     {
         let SixRows { base: of_base, joints } = self.jacobian_afloat(base, q, joint, point)?;
-        let mut matrix = self.mass_matrix_afloat(base, q)?;
+        let mut matrix = MassMatrix::zero();
+        self.mass_matrix_afloat_into(base, q, &mut matrix)?;
         let (mut by_base, mut by_joints, mut sum) = (of_base, joints, [[T::zero(); 6]; 6]);
         Floating::of(&mut matrix, &self.parents()).solve(T::one(), &mut by_base, &mut by_joints);
         add_products(&mut sum, &of_base, &by_base);

@@ -22,7 +22,7 @@ pub struct MassMatrix<T, const N: usize> {
 impl<T: Scalar, const N: usize> MassMatrix<T, N> {
     /// Zeros.
     #[inline(always)]
-    pub(in crate::robot::functions) fn zero() -> Self {
+    pub fn zero() -> Self {
         let o = T::zero();
         Self { base: [[o; 6]; 6], coupling: [[o; 6]; N], joints: [[o; N]; N] }
     }

@@ -78,13 +78,33 @@ impl<'a, T: Scalar, const N: usize> Factor<'a, T, N> {
         }
     }
 
-    /// Some rows that depend on none of the others: L⁻ᵀ from the tips on, 1 / D, and L⁻¹ from the root on. What was found last is met last, so
+    /// M⁻¹ into zeros.
+    pub fn inverse(&self, into: &mut [[T; N]; N]) {
+        for first in (0..N).step_by(BLOCK) {
+            let (limbs, mut block) = self.units(first);
+            self.solve_some(T::one(), limbs.clone(), &mut block[..limbs.end]);
+            for k in limbs {
+                put(first, k, block[k], into);
+            }
+        }
+    }
+
+    /// Columns of the identity from one on, and of the limbs that they belong to the joints up to the last of these: since M⁻¹ is symmetric, what
+    /// they have in rows of further ones is found in those of others.
+    #[cfg_attr(optimised, inline(always))]
+    fn units(&self, first: usize) -> (Range<usize>, [[T; BLOCK]; N]) {
+        let (last, mut block) = (N.min(first + BLOCK), [[T::zero(); BLOCK]; N]);
+        block[first..last].iter_mut().enumerate().for_each(|(k, row)| row[k] = T::one());
+        (self.limbs(first..last).start..last, block)
+    }
+
+    /// Some rows that depend on none of the others, nor on further rows than are given: L⁻ᵀ from the tips on, 1 / D, and L⁻¹ from the root on. What was found last is met last, so
     /// that nothing waits for it, and other rows several at a time.
     #[cfg_attr(optimised, inline(always))]
-    fn solve_some<const W: usize>(&self, by: T, some: Range<usize>, rows: &mut [[T; W]; N]) {
+    fn solve_some<const W: usize>(&self, by: T, some: Range<usize>, rows: &mut [[T; W]]) {
         for i in some.clone().rev() {
             let Some(([.., own], outboard)) = rows.split_at_mut_checked(i + 1) else { continue };
-            let (fours, rest) = outboard.get(..self.outboard[i]).unwrap_or_default().as_chunks::<4>();
+            let (fours, rest) = outboard[..self.outboard[i].min(outboard.len())].as_chunks::<4>();
             let (first, mut sum) = (i + 1 + 4 * fours.len(), *own);
             for (k, row) in rest.iter().enumerate().rev() {
                 less(&mut sum, [self.lower[first + k][i]], [row]);
@@ -132,6 +152,15 @@ fn store<T: Copy, const W: usize>(first: usize, block: &[[T; BLOCK]], rows: &mut
             (blocks, _) if first / BLOCK < blocks.len() => blocks[first / BLOCK] = *part,
             (_, rest) => rest.iter_mut().zip(part).for_each(|(entry, x)| *entry = *x),
         }
+    }
+}
+
+/// Puts columns from one on of row `k` of a symmetric matrix, and what they are of rows further on.
+#[cfg_attr(optimised, inline(always))]
+fn put<T: Copy, const N: usize>(first: usize, k: usize, part: [T; BLOCK], into: &mut [[T; N]; N]) {
+    store(first, &[part], &mut into[k..=k]);
+    if k < first {
+        into[first..].iter_mut().zip(part).for_each(|(row, x)| row[k] = x);
     }
 }
 
@@ -208,11 +237,22 @@ impl<'a, T: Scalar, const N: usize> Floating<'a, T, N> {
         }
     }
 
-    /// M⁻¹ into zeros.
+    /// M⁻¹, in place of whatever was there.
     pub fn inverse(&self, into: &mut Blocks<T, N>) {
+        for first in (0..N).step_by(BLOCK) {
+            let ((limbs, mut block), mut of_base) = (self.joints.units(first), [[T::zero(); BLOCK]; 6]);
+            let last = limbs.end;
+            self.gather(first..last, &mut of_base, &block);
+            self.base.solve(T::one(), &mut of_base);
+            self.joints.solve_some(T::one(), limbs, &mut block[..last]);
+            store(first, &of_base, &mut into.base_by_joints);
+            for (k, (mut own, giving)) in block[..last].iter().copied().zip(&self.giving).enumerate() {
+                less(&mut own, *giving, of_base.each_ref());
+                put(first, k, own, &mut into.joints);
+            }
+        }
+        into.base = [[T::zero(); 6]; 6];
         (0..6).for_each(|k| into.base[k][k] = T::one());
-        (0..N).for_each(|k| into.joints[k][k] = T::one());
-        self.solve_joints(T::one(), &mut into.base_by_joints, &mut into.joints);
         self.base.solve(T::one(), &mut into.base);
         for (k, row) in into.joints_by_base.iter_mut().enumerate() {
             *row = into.base_by_joints.each_ref().map(|of_base| of_base[k]); // symmetric

@@ -1,6 +1,6 @@
 //! Functions of lists of the shipped robots: calls of them, to be counted.
 
-use catena::robot::{Afloat, Blocks, ByStateAfloat, Columns, Place};
+use catena::robot::{Afloat, Blocks, ByStateAfloat, Columns, MassMatrix, Place};
 use catena_urdf_robots::{arm7_local, cart_local, humanoid_local, quadruped_fixed, quadruped_local};
 use std::error::Error;
 use std::hint::black_box;
@@ -55,16 +55,24 @@ macro_rules! afloat {
     ($name:ident, $function:expr, $times:expr) => {{
         const N: usize = $name::JOINTS.len();
         let (scene, list, base, wrench) = ($name::scene::<f64>()?, state::<N>(), base(), [0.3; 6]);
-        let mut found = (ByStateAfloat::zero(), Blocks::zero());
+        // Large answers go into places that are kept.
+        let (mut mass, mut found) = (MassMatrix::zero(), (ByStateAfloat::zero(), Blocks::zero()));
         for _ in 0..$times {
             let ([q, v, x], base) = black_box((&list, base));
             match $function {
                 "forward_dynamics" => _ = black_box(scene.forward_dynamics_afloat(base, q, v, &wrench, x)?),
                 "inverse_dynamics" => _ = black_box(scene.inverse_dynamics_afloat(base, q, v, &wrench, x)?),
-                "mass_matrix" => _ = black_box(scene.mass_matrix_afloat(base.place, q)?),
-                "mass_inverse" => _ = black_box(scene.mass_inverse_afloat(base.place, q)?),
+                "mass_matrix" => {
+                    scene.mass_matrix_afloat_into(base.place, q, &mut mass)?;
+                    black_box(&mass);
+                }
+                "mass_inverse" => {
+                    scene.mass_inverse_afloat_into(base.place, q, &mut found.1)?;
+                    black_box(&found.1);
+                }
                 "inverse_dynamics_derivatives" => {
-                    _ = black_box(scene.inverse_dynamics_derivatives_afloat(base, q, v, &wrench, x)?);
+                    scene.inverse_dynamics_derivatives_afloat_into(base, q, v, &wrench, x, &mut found.0)?;
+                    black_box(&found.0);
                 }
                 _ => {
                     scene.forward_dynamics_derivatives_afloat_into(base, q, v, &wrench, x, &mut found)?;

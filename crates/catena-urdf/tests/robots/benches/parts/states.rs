@@ -186,17 +186,24 @@ macro_rules! floating {
             |s| $scene.inverse_dynamics_afloat(s.base(), &s.q, &s.v, &s.base_seconds, &s.seconds),
             |x| x.0.into_iter().chain(x.1)
         );
-        function!($work, $states, "mass_matrix", |s| $scene.mass_matrix_afloat(s.base().place, &s.q), |x| {
-            let catena::robot::MassMatrix { base, coupling, joints } = x;
-            let mut list = vec![];
-            for (i, row) in base.iter().enumerate() {
-                list.extend(row.iter().copied().chain(coupling.iter().map(|column| column[i])));
+        let mut mass = catena::robot::MassMatrix::zero();
+        function!(
+            $work,
+            $states,
+            "mass_matrix",
+            |s| $scene.mass_matrix_afloat_into(s.base().place, &s.q, &mut mass).map(|()| black_box(&mass)),
+            |x| {
+                let catena::robot::MassMatrix { base, coupling, joints } = x;
+                let mut list = vec![];
+                for (i, row) in base.iter().enumerate() {
+                    list.extend(row.iter().copied().chain(coupling.iter().map(|column| column[i])));
+                }
+                for (column, row) in coupling.iter().zip(joints) {
+                    list.extend(column.iter().chain(row));
+                }
+                list
             }
-            for (column, row) in coupling.iter().zip(&joints) {
-                list.extend(column.iter().chain(row));
-            }
-            list
-        });
+        );
         function!(
             $work,
             $states,
