@@ -20,6 +20,11 @@ pub struct ByState<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> ByState<T, N> {
+    /// Zeros.
+    pub fn zero() -> Self {
+        Self { positions: [[T::zero(); N]; N], rates: [[T::zero(); N]; N] }
+    }
+
     /// Puts derivatives of a number by a position and a rate.
     #[inline(always)]
     fn putting(&mut self) -> impl FnMut(usize, usize, [T; 2]) {
@@ -70,8 +75,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         C: Tasks<T, N>,
     {
         let now = self.snapshot(q, v)?;
-        let zeros = [[T::zero(); N]; N];
-        let mut by = ByState { positions: zeros, rates: zeros };
+        let mut by = ByState::zero();
         now.partials(&mut now.moved(), (&[T::zero(); 6], seconds), |i, partial, carrying| {
             now.pairs(i, partial, carrying, by.putting());
         });
@@ -108,11 +112,34 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
+        let mut found = (ByState::zero(), [[T::zero(); N]; N]);
+        self.forward_dynamics_derivatives_into(q, v, torques, &mut found).map(|()| found)
+    }
+
+    /// [`forward_dynamics_derivatives`](Self::forward_dynamics_derivatives) into a place that is kept from call to call. What the place holds is
+    /// overwritten.
+    ///
+    /// # Errors
+    /// As [`forward_dynamics`](Self::forward_dynamics); what is in the place then is of no use.
+    pub fn forward_dynamics_derivatives_into<const N: usize>(
+        &self,
+        q: &[T; N],
+        v: &[T; N],
+        torques: &[T; N],
+        (by, by_torques): &mut (ByState<T, N>, [[T; N]; N]),
+    ) -> Result<(), Error>
+    where
+        R: FixedBase<T>,
+        C: Tasks<T, N>,
+    {
         let now = self.snapshot(q, v)?;
-        let (mut moved, zeros) = (now.moved(), [[T::zero(); N]; N]);
+        let (mut moved, mut matrix) = (now.moved(), [[T::zero(); N]; N]);
         // In axes of bodies M has all digits where a last link has little inertia; about the origin of screws these cancel.
-        let mut matrix = self.mass_matrix(q)?;
-        let (mut by, mut by_torques) = (ByState { positions: zeros, rates: zeros }, zeros);
+        self.mass_matrix_into(q, &mut matrix)?;
+        // Joints of which neither carries the other.
+        for rows in [&mut by.positions, &mut by.rates, &mut *by_torques] {
+            rows.as_flattened_mut().fill(T::zero());
+        }
         let (bias, _) = now.bias(&moved, |_, _| ());
         let mass = Factor::of(&mut matrix, now.parents());
         let mut seconds: [_; N] = core::array::from_fn(|k| [torques[k] - bias[k]]);
@@ -123,8 +150,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         self.stiffened(q, v, by.adding());
         mass.solve_joints(-T::one(), &mut by.positions);
         mass.solve_joints(-T::one(), &mut by.rates);
-        mass.inverse(&mut by_torques);
-        by.all_finite().and(finite(by_torques.as_flattened()))?;
-        Ok((by, by_torques))
+        mass.inverse(by_torques);
+        by.all_finite().and(finite(by_torques.as_flattened()))
     }
 }

@@ -32,14 +32,37 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
+        let mut found = [[T::zero(); N]; N];
+        self.mass_matrix_into(q, &mut found).map(|()| found)
+    }
+
+    /// [`mass_matrix`](Self::mass_matrix) into a place that is kept from call to call. What the place holds is overwritten.
+    ///
+    /// ```
+    /// use catena::robot::*;
+    /// let link = Link::general(3.0_f64, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
+    /// let elbow = Hinge::at::<4>([0.0, 0.0, 0.4]).turned(Quarter::<30>);
+    /// let arm = System::new(Base::origin(), (Hinge::level().grounded(), link, elbow, link), Free)?;
+    /// let mut found = [[0.0; 2]; 2];
+    /// for angle in [0.3, 0.4] {
+    ///     arm.mass_matrix_into(&[0.1, angle], &mut found)?;
+    ///     assert_eq!(found, arm.mass_matrix(&[0.1, angle])?);
+    /// }
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As [`forward_dynamics`](Self::forward_dynamics); the place is then as it was.
+    pub fn mass_matrix_into<const N: usize>(&self, q: &[T; N], found: &mut [[T; N]; N]) -> Result<(), Error>
+    where
+        R: FixedBase<T>,
+        C: Tasks<T, N>,
+    {
         self.has_joints(N)?;
         finite(q)?;
-        // Written where it is returned, for it is large.
-        let mut found = Ok([[T::zero(); N]; N]);
-        if let Ok(matrix) = &mut found {
-            Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut composite(q, matrix), Whole::nothing(N), ());
-        }
-        found
+        found.as_flattened_mut().fill(T::zero()); // joints of which neither carries the other
+        Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut composite(q, found), Whole::nothing(N), ());
+        Ok(())
     }
 
     /// M factored.

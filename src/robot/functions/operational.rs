@@ -53,7 +53,8 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
-        let (columns, mut matrix) = (self.jacobian(q, joint, point)?, self.mass_matrix(q)?);
+        let (columns, mut matrix) = (self.jacobian(q, joint, point)?, [[T::zero(); N]; N]);
+        self.mass_matrix_into(q, &mut matrix)?;
         let (mut solved, mut sum) = (columns, [[T::zero(); 6]; 6]);
         Factor::of(&mut matrix, &self.parents()).solve(T::one(), &mut solved);
         add_products(&mut sum, &columns, &solved);

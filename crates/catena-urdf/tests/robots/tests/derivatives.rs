@@ -1,6 +1,6 @@
 //! Derivatives of the dynamics of shipped robots, against jets through inverse dynamics, which knows nothing of them.
 
-use catena::robot::{Afloat, Blocks, Columns, MassMatrix, Place};
+use catena::robot::{Afloat, Blocks, ByState, Columns, MassMatrix, Place};
 use catena::scalar::Jet;
 use catena_urdf_robots::{arm7_local, cart_local, humanoid_local, quadruped_fixed, quadruped_local};
 use std::error::Error;
@@ -74,12 +74,19 @@ macro_rules! fixed {
             const N: usize = $name::JOINTS.len();
             let (scene, mut noise) = ($name::scene::<f64>()?, Noise(7));
             let over = scene.lift(Dual::of);
+            let mut kept = (ByState::zero(), [[1.0; N]; N]);
             for _ in 0..10 {
                 let [q, v, torques]: [[f64; N]; 3] = [noise.list(3.0), noise.list(3.0), noise.list(20.0)];
                 let seconds = scene.forward_dynamics(&q, &v, &torques)?;
                 let taken = scene.inverse_dynamics_derivatives(&q, &v, &seconds)?;
                 let (moved, by_torques) = scene.forward_dynamics_derivatives(&q, &v, &torques)?;
-                let mass = scene.mass_matrix(&q)?.map(|row| row.to_vec());
+                let mass = scene.mass_matrix(&q)?;
+                // Places that still hold what was found before.
+                scene.mass_matrix_into(&q, &mut kept.1)?;
+                assert_eq!(kept.1, mass);
+                scene.forward_dynamics_derivatives_into(&q, &v, &torques, &mut kept)?;
+                assert_eq!(kept, (moved, by_torques));
+                let mass = mass.map(|row| row.to_vec());
                 inverts(&by_torques.map(|row| row.to_vec()), &mass);
                 let plain = |list: &[f64; N]| list.map(Dual::of);
                 let column = |matrix: &[[f64; N]; N], k: usize| matrix.iter().map(|row| row[k]).collect::<Vec<_>>();

@@ -1,6 +1,6 @@
 //! Functions of lists of the shipped robots: calls of them, to be counted.
 
-use catena::robot::{Afloat, Blocks, ByStateAfloat, Columns, MassMatrix, Place};
+use catena::robot::{Afloat, Blocks, ByState, ByStateAfloat, Columns, MassMatrix, Place};
 use catena_urdf_robots::{arm7_local, cart_local, humanoid_local, quadruped_fixed, quadruped_local};
 use std::error::Error;
 use std::hint::black_box;
@@ -36,15 +36,23 @@ macro_rules! fixed {
     ($name:ident, $function:expr, $times:expr) => {{
         const N: usize = $name::JOINTS.len();
         let (scene, list) = ($name::scene::<f64>()?, state::<N>());
+        // Large answers go into places that are kept.
+        let (mut mass, mut found) = ([[0.0; N]; N], (ByState::zero(), [[0.0; N]; N]));
         for _ in 0..$times {
             let [q, v, x] = black_box(&list);
             match $function {
                 "forward_dynamics" => _ = black_box(scene.forward_dynamics(q, v, x)?),
                 "inverse_dynamics" => _ = black_box(scene.inverse_dynamics(q, v, x)?),
-                "mass_matrix" => _ = black_box(scene.mass_matrix(q)?),
+                "mass_matrix" => {
+                    scene.mass_matrix_into(q, &mut mass)?;
+                    black_box(&mass);
+                }
                 "mass_inverse" => _ = black_box(scene.mass_inverse(q)?),
                 "inverse_dynamics_derivatives" => _ = black_box(scene.inverse_dynamics_derivatives(q, v, x)?),
-                _ => _ = black_box(scene.forward_dynamics_derivatives(q, v, x)?),
+                _ => {
+                    scene.forward_dynamics_derivatives_into(q, v, x, &mut found)?;
+                    black_box(&found);
+                }
             }
         }
     }};

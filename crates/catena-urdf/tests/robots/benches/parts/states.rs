@@ -160,13 +160,24 @@ macro_rules! fixed {
     ($work:ident, $scene:ident, $states:ident, $link:expr) => {
         function!($work, $states, "forward_dynamics", |s| $scene.forward_dynamics(&s.q, &s.v, &s.torques), |x| x);
         function!($work, $states, "inverse_dynamics", |s| $scene.inverse_dynamics(&s.q, &s.v, &s.seconds), |x| x);
-        function!($work, $states, "mass_matrix", |s| $scene.mass_matrix(&s.q), |x| x.into_iter().flatten());
+        // Large answers go into places that are kept.
+        let mut mass = $scene.mass_matrix(&$states[0].q)?;
+        let mut found = (catena::robot::ByState::zero(), mass);
+        function!(
+            $work,
+            $states,
+            "mass_matrix",
+            |s| $scene.mass_matrix_into(&s.q, &mut mass).map(|()| black_box(&mass)),
+            |x| x.iter().flatten()
+        );
         function!($work, $states, "jacobian", |s| $scene.jacobian(&s.q, $link, [0.0; 3]), |x| x.into_iter().flatten());
         function!(
             $work,
             $states,
             "forward_dynamics_derivatives",
-            |s| $scene.forward_dynamics_derivatives(&s.q, &s.v, &s.torques),
+            |s| $scene
+                .forward_dynamics_derivatives_into(&s.q, &s.v, &s.torques, &mut found)
+                .map(|()| black_box(&found)),
             |x| {
                 let (catena::robot::ByState { positions, rates }, torques) = x;
                 [positions, rates, torques].into_iter().flatten().flatten()
