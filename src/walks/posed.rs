@@ -8,7 +8,7 @@ use crate::shape::{
 use crate::space::{FrameOf, Space};
 use crate::visit::Visit;
 
-/// Walks outward and lets a visitor write an entry for each body and joint. Directions of bodies are read, not found by sines once more. Of
+/// Walks outward and lets a visitor write an entry for each body and joint; gives the frame of the tip. Directions of bodies are read, not found by sines once more. Of
 /// arms and closures, but for motions of joints that close loops, the visitor is not told.
 #[cfg_attr(optimised, inline(always))]
 pub fn travel_posed<S: Space, E: Shape<S>, V: Visit<S>>(
@@ -19,8 +19,8 @@ pub fn travel_posed<S: Space, E: Shape<S>, V: Visit<S>>(
     visit: V,
     on_bodies: &mut E::Store<PerBody<V::OnBody>>,
     in_joints: &mut E::Store<PerJoint<V::InJoint>>,
-) {
-    chain.outward(&mut Posed(visit), ground, (x, y, p, q, position, rate, acceleration, on_bodies, in_joints));
+) -> FrameOf<S> {
+    chain.outward(&mut Posed(visit), ground, (x, y, p, q, position, rate, acceleration, on_bodies, in_joints))
 }
 
 /// Shows bodies as they are posed.

@@ -18,7 +18,7 @@ use super::record::{Record, Stage, StageOf};
 use super::rules::Staged;
 use super::steps::{ROWS, Steps};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
-use crate::element::{Coordinates, Element, Level, RealOf};
+use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::mirror::{Rate, Retraction};
@@ -244,7 +244,7 @@ where
         (gradient.gravity, gradient.ground) = (gradient.gravity + gravity, gradient.ground + turn);
         if const { L::ON } {
             let motion = Coordinates { position, rate, acceleration: &self.zero };
-            self.loads.see(elements, frame, motion, time);
+            self.loads.see(elements, frame, Posture { x, y, p, q }, motion, time);
             let Gradient { numbers, joints, law, .. } = gradient;
             let mut walk = self.loads.pull(elements, time, Level::Place, law.clone());
             let mut pull = |walk: &mut _| {

@@ -3,7 +3,7 @@
 use super::Backward;
 use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Surveyed};
-use crate::element::{Coordinates, Element, Level, RealOf, Space, Unloaded};
+use crate::element::{Coordinates, Element, Level, Posture, RealOf, Space, Unloaded};
 use crate::ends::Root;
 use crate::loading::{EffortOf, Load, Loading};
 use crate::mirror::Rate;
@@ -12,9 +12,10 @@ use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
 use crate::space::FrameOf;
 use crate::system::{Elements, Runs, System};
-use crate::visit::{Visit, Watch, survey};
+use crate::visit::{Visit, Watch, survey, survey_posed};
+use crate::walks::posed::travel_posed;
 use crate::walks::pull_loads::PullLoads;
-use crate::walks::travel::{show, travel};
+use crate::walks::travel::show;
 
 /// A law of loads, and what it was last told.
 pub(super) struct Seen<S: Reversed, E: Element<S>, L: BodyLaw<S>> {
@@ -35,18 +36,19 @@ impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Seen<S, E, L> {
         Self { law, seen, on_bodies, in_joints }
     }
 
-    /// Finds frames of bodies, and the loads on them; gives the frame of the tip.
+    /// Finds frames of bodies that are posed, and the loads on them; gives the frame of the tip.
     pub(super) fn see(
         &mut self,
         elements: &E,
         ground: FrameOf<S>,
+        posture: Posture<'_, S, E>,
         motion: Coordinates<'_, S, E>,
         time: RealOf<S>,
     ) -> FrameOf<S> {
         let loads = self.law.beside(Absent);
-        self.seen = survey(elements, ground, motion, &loads);
+        self.seen = survey_posed(elements, ground, posture, motion, &loads);
         let visit = Telling { loads, seen: &self.seen, time, body: 0 };
-        travel(elements, ground, motion, visit, &mut self.on_bodies, &mut self.in_joints)
+        travel_posed(elements, ground, posture, motion, visit, &mut self.on_bodies, &mut self.in_joints)
     }
 
     /// The walk that finds costates of what it was told.
@@ -168,12 +170,12 @@ where
     /// ([`Struts::and`](crate::struts::Struts::and)): derivatives by their numbers are in
     /// [`Gradient::by_struts`](crate::sensitivity::Gradient::by_struts), and along whatever makes them in
     /// [`Gradient::along_struts`](crate::sensitivity::Gradient::along_struts). A strut reads the motions of both bodies: gradients walk over all
-    /// bodies once more. Run and gradient take 5.9 plain runs under the same struts (RK4, twenty rods on pins, ten struts; x86-64-v3), in space 4.0
-    /// (seven rigid bodies on revolutes, six struts).
+    /// bodies once more. Run and gradient take the instructions of 6.1 plain runs under the same struts (RK4, twenty rods on pins, ten struts; x86-64-v3), in
+    /// space of 5.6 (seven rigid bodies on revolutes, six struts).
     ///
     /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`](crate::sensitivity::Gradient::along).
     /// A law that does not fit the scene ([`LoadLaw::check`](crate::loading::LoadLaw::check)) is refused by whatever runs or differentiates.
-    /// Run and gradient take some 8 plain runs under the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is made anew.
+    /// Run and gradient take the instructions of 6.3 plain runs under the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is made anew.
     pub fn under<N: BodyLaw<S>>(self, law: N) -> Backward<'s, S, R, C, P, M, N>
     where
         Elements<S, R, C>: Burdened<S, N, P::Closures>,

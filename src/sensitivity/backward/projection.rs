@@ -275,7 +275,7 @@ where
         // What is missed.
         let Room { sizes, x, y, p, q, solved, on_bodies, in_joints, .. } = room;
         S::pose(elements, place, rate, ground.turn, sizes, x, y, p, q);
-        let frame = self.loads.see(elements, ground, at, time);
+        let frame = self.loads.see(elements, ground, Posture { x, y, p, q }, at, time);
         solved.set(zero);
         room.forces.clone_from(&room.nothing);
         let kept = (&mut *on_bodies, &mut *in_joints, (&mut room.forces, &mut room.at_ends));

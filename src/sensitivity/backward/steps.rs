@@ -7,7 +7,7 @@ use super::projection::Projection;
 use super::record::{Place, Record, Stage, StageOf};
 use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, ReversibleTip};
-use crate::element::{Coordinates, Element, RealOf};
+use crate::element::{Coordinates, Element, Posture, RealOf};
 use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Rate, Retraction};
@@ -300,7 +300,8 @@ where
             elements.take(&mut Factor::by(springs), beyond, (x, y, p, q, motion, &self.torques, &mut *kept, pivots));
         let mut burden = Burden(Meet::nothing());
         if const { L::ON } {
-            self.loads.see(elements, ground, Coordinates { position, rate, acceleration: &self.zero }, time);
+            let motion = Coordinates { position, rate, acceleration: &self.zero };
+            self.loads.see(elements, ground, Posture { x, y, p, q }, motion, time);
             elements.take(&mut burden, Wrench::none(), (x, y, p, q, &self.loads.on_bodies, &mut *kept, pivots));
         }
         let Cuts { columns, compliance, gap } = chain.relation.cuts;
