@@ -27,7 +27,7 @@ ROBOTS = {
     "iiwa": "fixed", "panda": "fixed", "ur5": "fixed", "tiago": "fixed", "hyq": "fixed", "hyq, floating": "floating",
     "anymal": "floating", "atlas": "fixed", "g1": "floating", "talos": "floating",
 }
-ROUNDS = 9
+ROUNDS = 25
 TOLERANCE = 1e-11
 POINT = numpy.array([0.1, -0.2, 0.3])
 
