@@ -178,6 +178,18 @@ impl<S: Space> Watch<S> for Last<S> {
     }
 }
 
+/// What loads have to see of a whole scene first.
+pub(crate) fn survey<S: Space, E: Shape<S>, L: Loading<S>>(
+    chain: &E,
+    ground: FrameOf<S>,
+    motion: Coordinates<'_, S, E>,
+    loads: &L,
+) -> L::Seen {
+    surveyed(chain, loads, |surveyor, (bodies, joints)| {
+        travel(chain, ground, motion, surveyor, bodies, joints);
+    })
+}
+
 /// What loads have to see of a whole scene first, where bodies stand as a posture says.
 pub(crate) fn survey_posed<S: Space, E: Shape<S>, L: Loading<S>>(
     chain: &E,
@@ -186,26 +198,22 @@ pub(crate) fn survey_posed<S: Space, E: Shape<S>, L: Loading<S>>(
     motion: Coordinates<'_, S, E>,
     loads: &L,
 ) -> L::Seen {
-    let mut surveyor = Surveyor { loads, seen: loads.unseen(), body: 0 };
-    if const { L::SURVEYS } {
-        let (bodies, joints) = (&mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
-        travel_posed(chain, ground, posture, motion, &mut surveyor, bodies, joints);
-    }
-    surveyor.seen
+    surveyed(chain, loads, |surveyor, (bodies, joints)| {
+        travel_posed(chain, ground, posture, motion, surveyor, bodies, joints);
+    })
 }
 
-/// What loads have to see of a whole scene first.
-pub(crate) fn survey<S: Space, E: Shape<S>, L: Loading<S>>(
+/// What loads see of a scene by a way to travel through it.
+#[cfg_attr(optimised, inline(always))]
+fn surveyed<S: Space, E: Shape<S>, L: Loading<S>>(
     chain: &E,
-    ground: FrameOf<S>,
-    motion: Coordinates<'_, S, E>,
     loads: &L,
+    travel: impl FnOnce(&mut Surveyor<'_, S, L>, (&mut E::Store<PerBody<()>>, &mut E::Store<PerJoint<()>>)),
 ) -> L::Seen {
     let mut surveyor = Surveyor { loads, seen: loads.unseen(), body: 0 };
     // A constant, so that a compiler does not even look at what follows where there is nothing to see.
     if const { L::SURVEYS } {
-        let (bodies, joints) = (&mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(()));
-        travel(chain, ground, motion, &mut surveyor, bodies, joints);
+        travel(&mut surveyor, (&mut chain.store::<PerBody<()>>(()), &mut chain.store::<PerJoint<()>>(())));
     }
     surveyor.seen
 }

@@ -48,7 +48,8 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
         Answers { free, sizes, responses }
     }
 
-    /// What a follower misses, of its place or of its rate, by more than a share of the size of one and its own; what is no number passes: sweeps say so.
+    /// What a follower misses, of its place or of its rate, by more than a share of the size of one and its own; what is no number passes: sweeps
+    /// say so.
     fn beyond<P: Position<T>>(&self, position: &P, rate: &P::Rate, share: T::Real) -> Option<T::Real> {
         let places = self.apart(position).into_iter().zip(self.places(position));
         let mut all = places.chain(self.missed(rate).into_iter().zip(self.rates(rate)));

@@ -231,7 +231,8 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E, K>
     ///
     /// A load itself must not jump there: what comes to a stop or sticks is a joint with modes ([`Coulomb`](crate::planar::Coulomb),
     /// [`HardStops`](crate::planar::HardStops)). One that crosses zero twice within a step is not seen
-    /// ([`longest_step`](Self::longest_step)). Functions of positions and rates read [`Now::stepped`], for which no rule makes a sweep. Fixed steps count anew from the end of such a step. Not over lanes, each of which would have kinks of its own.
+    /// ([`longest_step`](Self::longest_step)). Functions of positions and rates read [`Now::stepped`], for which no rule makes a sweep. Fixed steps
+    /// count anew from the end of such a step. Not over lanes, each of which would have kinks of its own.
     ///
     /// ```
     /// use catena::planar::*;

@@ -147,9 +147,9 @@ pub fn sweep<S: Space, E, W, R, P>(
             travel(chain, fallen, motion, Exert::new(*loads, *time, &seen), on_bodies, in_joints);
         } else {
             let motion = Coordinates { position, rate, acceleration };
-            let seen = survey_posed(chain, *ground, Posture { x, y, p, q }, motion, *loads);
-            let (posture, exert) = (Posture { x, y, p, q }, Exert::new(*loads, *time, &seen));
-            travel_posed(chain, *ground, posture, motion, exert, on_bodies, in_joints);
+            let posture = Posture { x, y, p, q };
+            let seen = survey_posed(chain, *ground, posture, motion, *loads);
+            travel_posed(chain, *ground, posture, motion, Exert::new(*loads, *time, &seen), on_bodies, in_joints);
         }
     }
     // Chains of hinges are inlined as a whole: what was stored is then better read from where it stands than kept beside it, for registers

@@ -1,4 +1,4 @@
-//! The sweeps of a scene, how its tip is put back where it is held, and what went wrong where.
+//! The sweeps of a scene, and what went wrong where.
 
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
 use crate::element::{

@@ -8,8 +8,8 @@ use crate::shape::{
 use crate::space::{FrameOf, Space};
 use crate::visit::Visit;
 
-/// Walks outward and lets a visitor write an entry for each body and joint; gives the frame of the tip. Directions of bodies are read, not found by sines once more. Of
-/// arms and closures, but for motions of joints that close loops, the visitor is not told.
+/// Walks outward and lets a visitor write an entry for each body and joint; gives the frame of the tip. Directions of bodies are read, not found
+/// by sines once more. The visitor is not told of arms; what closes a loop is a joint to it.
 #[cfg_attr(optimised, inline(always))]
 pub fn travel_posed<S: Space, E: Shape<S>, V: Visit<S>>(
     chain: &E,

@@ -170,12 +170,13 @@ where
     /// ([`Struts::and`](crate::struts::Struts::and)): derivatives by their numbers are in
     /// [`Gradient::by_struts`](crate::sensitivity::Gradient::by_struts), and along whatever makes them in
     /// [`Gradient::along_struts`](crate::sensitivity::Gradient::along_struts). A strut reads the motions of both bodies: gradients walk over all
-    /// bodies once more. Run and gradient take the instructions of 6.1 plain runs under the same struts (RK4, twenty rods on pins, ten struts; x86-64-v3), in
-    /// space of 5.6 (seven rigid bodies on revolutes, six struts).
+    /// bodies once more. Run and gradient take the instructions of 6.1 plain runs under the same struts (RK4, twenty rods on pins, ten struts;
+    /// x86-64-v3), in space of 5.6 (seven rigid bodies on revolutes, six struts).
     ///
     /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`](crate::sensitivity::Gradient::along).
     /// A law that does not fit the scene ([`LoadLaw::check`](crate::loading::LoadLaw::check)) is refused by whatever runs or differentiates.
-    /// Run and gradient take the instructions of 6.3 plain runs under the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is made anew.
+    /// Run and gradient take the instructions of 6.3 plain runs under the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is
+    /// made anew.
     pub fn under<N: BodyLaw<S>>(self, law: N) -> Backward<'s, S, R, C, P, M, N>
     where
         Elements<S, R, C>: Burdened<S, N, P::Closures>,

@@ -36,7 +36,8 @@ use products::Rows;
 /// What a body keeps, or a joint of the vectors that turn with its bodies.
 #[derive(Clone, Copy, Debug)]
 pub struct AxesSeries<T, const N: usize> {
-    /// The vectors that turn, where the series begins: an arm; an axis; three axes, of a body side by side, entries as rows.
+    /// The vectors that turn, where the series begins: an arm; an axis; an axis, with the coordinate beside its entries, and the arm along it; three
+    /// axes, of a body side by side, entries as rows.
     axes: Rows<T>,
     /// Second moments of a body; shares of its axes in its arm and in its first moment.
     moments: Rows<T>,

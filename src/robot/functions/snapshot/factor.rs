@@ -98,8 +98,8 @@ impl<'a, T: Scalar, const N: usize> Factor<'a, T, N> {
         (self.limbs(first..last).start..last, block)
     }
 
-    /// Some rows that depend on none of the others, nor on further rows than are given: L⁻ᵀ from the tips on, 1 / D, and L⁻¹ from the root on. What was found last is met last, so
-    /// that nothing waits for it, and other rows several at a time.
+    /// Some rows that depend on none of the others, nor on further rows than are given: L⁻ᵀ from the tips on, 1 / D, and L⁻¹ from the root on. What
+    /// was found last is met last, so that nothing waits for it, and other rows several at a time.
     #[cfg_attr(optimised, inline(always))]
     fn solve_some<const W: usize>(&self, by: T, some: Range<usize>, rows: &mut [[T; W]]) {
         for i in some.clone().rev() {
