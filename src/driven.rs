@@ -1,5 +1,7 @@
 //! Joints whose coordinate is a given function of time.
 
+pub(crate) mod backward;
+
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Implicit, Posture, Springs, Sweep};
 use crate::error::Fault;
@@ -53,6 +55,53 @@ impl<T: Scalar, F: Fn(T::Real) -> [T; 3] + Copy + 'static> MotionLaw<T> for F {
 /// # assert!(torque.is_some_and(|torque: f64| torque.is_finite()));
 /// # Ok::<(), catena::Error>(())
 /// ```
+///
+/// Gradients of runs go backward through it, and by the numbers of its law, six at most, those of the joint in the plane among them. Numbers
+/// of closures are hidden: for that the law is a struct.
+///
+/// ```
+/// use catena::planar::*;
+/// use catena::scalar::{Elementary, Jet, Scalar};
+/// /// A coordinate a sin ω t.
+/// #[derive(Clone, Copy)]
+/// struct Shake<T> {
+///     amplitude: T,
+///     frequency: T,
+/// }
+/// catena::lift!(Shake { amplitude, frequency });
+/// impl<T: Scalar<Real = f64>> MotionLaw<T> for Shake<T> {
+///     fn at(&self, time: f64) -> [T; 3] {
+///         let Self { amplitude: a, frequency: w } = *self;
+///         let (sine, cosine) = w.scale(time).sin_cos();
+///         [a * sine, a * w * cosine, -a * w * w * sine]
+///     }
+/// }
+/// /// A rod that hangs from one that is shaken.
+/// macro_rules! pendulum {
+///     ($amplitude:expr, $frequency:expr, $number:expr) => {{
+///         let crank = Driven::new(Revolute::smooth(), Shake { amplitude: $amplitude, frequency: $frequency });
+///         let rod = Rod::uniform($number(0.5), $number(1.0));
+///         System::new(Clamped::origin(), (crank, rod, Pin, rod), Free)?.with_gravity($number(9.81))
+///     }};
+/// }
+/// # let end_of = |amplitude: f64| -> Result<f64, catena::Error> {
+/// #     let plain = pendulum!(amplitude, 4.0, |x: f64| x);
+/// #     let start = plain.at_rest(&[-1.0])?;
+/// #     Ok(plain.simulate(start, Rk4::step(0.01), 1.0, |_| ())?.motion.coordinates()[0])
+/// # };
+/// let plain = pendulum!(0.1, 4.0, |x: f64| x);
+/// let start = plain.at_rest(&[-1.0])?;
+/// let (mut backward, mut states) = (plain.backward(Rk4), [start; 101]);
+/// backward.run(&start, 0.01, 100, &[], &mut states)?;
+/// let at_end = |step, _: &_, by: &mut catena::sensitivity::Costate<_>| {
+///     if step == 100 { by.add(&[1.0], &[0.0]) } else { Ok(()) }
+/// };
+/// let gradient = backward.gradient(&[], &states, &mut [], at_end)?;
+/// let seeded = pendulum!(Jet::<f64, 2>::seed(0.1, 0), Jet::seed(4.0, 1), Jet::of);
+/// let [by_amplitude, by_frequency] = gradient.along(&seeded)?; // of the angle at the end
+/// # assert!((by_amplitude - (end_of(0.1 + 1e-5)? - end_of(0.1 - 1e-5)?) / 2e-5).abs() < 1e-7 && by_frequency != 0.0);
+/// # Ok::<(), catena::Error>(())
+/// ```
 #[derive(Clone, Copy)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Driven<J, F> {
@@ -74,6 +123,17 @@ impl<J, F> Driven<J, F> {
     /// The law.
     pub const fn law(&self) -> &F {
         &self.law
+    }
+}
+
+impl<J, F> Driven<J, F> {
+    /// The coordinate, its rate and its second derivative at the time of a clock.
+    #[inline(always)]
+    pub(crate) fn told<T: Scalar>(&self, clock: &Clock<T::Real>) -> [T; 3]
+    where
+        F: MotionLaw<T>,
+    {
+        clock.told(self.law.at(clock.time()))
     }
 }
 
@@ -101,7 +161,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F
 
     #[inline(always)]
     fn angle(&self, clock: &Self::Position) -> S::Scalar {
-        let [position, ..] = self.law.at(clock.0);
+        let [position, ..] = self.told(clock);
         self.joint.angle(&position)
     }
     #[inline(always)]
@@ -110,7 +170,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F
     }
 
     fn still() -> (Self::Position, ()) {
-        (Clock(Zero::zero()), ())
+        (Clock::at(Zero::zero()), ())
     }
     fn kept<C: Closures>() -> J::Kept<C> {
         J::kept::<C>()
@@ -127,7 +187,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F
         inboard: S::Turn,
         _: &mut impl FnMut(S::Turn) -> S::Scalar,
     ) -> S::Turn {
-        let [position, ..] = self.law.at(clock.0);
+        let [position, ..] = self.told(clock);
         self.joint.turned(&position, &S::Scalar::zero(), inboard)
     }
     #[cfg_attr(optimised, inline(always))]
@@ -156,11 +216,11 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Joint<S> for Driven<J, F
     }
     #[inline(always)]
     fn motion(&self, inboard: FrameOf<S>, clock: &Self::Position, (): &(), (): &()) -> (S::JointMotion, FrameOf<S>) {
-        let [position, rate, second] = self.law.at(clock.0);
+        let [position, rate, second] = self.told(clock);
         self.joint.motion(inboard, &position, &rate, &second)
     }
     fn release(&self, motion: &S::JointMotion, clock: &Self::Position, (): &()) -> Release<S> {
-        let [position, rate, second] = self.law.at(clock.0);
+        let [position, rate, second] = self.told(clock);
         self.joint.release(motion, &position, &rate).driven(second)
     }
     fn check(&self) -> Result<(), Fault> {
@@ -180,7 +240,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<J,
     }
     #[inline(always)]
     fn turned(&self, clock: &Self::Position, (): &(), turn: S::Turn) -> S::Turn {
-        let [position, rate, _] = self.law.at(clock.0);
+        let [position, rate, _] = self.told(clock);
         self.joint.turned(&position, &rate, turn)
     }
     #[cfg_attr(optimised, inline(always))]
@@ -194,7 +254,7 @@ impl<S: Space, J: Drivable<S>, F: MotionLaw<S::Scalar>> Element<S> for Driven<J,
         p: &mut Self::Store<PerAxes<S::P>>,
         q: &mut Self::Store<PerAxes<S::Q>>,
     ) -> S::Turn {
-        let [position, rate, _] = self.law.at(clock.0);
+        let [position, rate, _] = self.told(clock);
         self.joint.orient(&position, &rate, turn, x, y, p, q)
     }
     #[cfg_attr(optimised, inline(always))]
@@ -227,7 +287,7 @@ where
         given: Given<'_, S, Self, W>,
         kept: &mut Self::Store<Kept<W::Closures>>,
     ) -> J::Out {
-        let [.., second] = self.law.at(given.position.0);
+        let [.., second] = self.told(given.position);
         self.joint.drive(outer, (posture.x, posture.y, posture.p, posture.q), second, kept)
     }
 }

@@ -3,6 +3,8 @@
 use super::{Position, Retraction, Term};
 use crate::lift::Lift;
 use crate::scalar::{Real, Scalar};
+#[cfg(feature = "serde")]
+use num_traits::One;
 
 /// The time (s) of the motion that it is part of.
 ///
@@ -10,16 +12,41 @@ use crate::scalar::{Real, Scalar};
 /// without a rate of its own. It is neither counted, visited nor replaced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Clock<R>(pub(crate) R);
+#[cfg_attr(feature = "serde", serde(transparent, bound(deserialize = "R: serde::Deserialize<'de> + One")))]
+pub struct Clock<R> {
+    time: R,
+    /// How fast its time goes by: not at all where a scene is looked at as it stands, at rest.
+    #[cfg_attr(feature = "serde", serde(skip, default = "One::one"))]
+    pace: R,
+}
+
+impl<R: Real> Clock<R> {
+    /// A clock that shows a time.
+    pub(crate) fn at(time: R) -> Self {
+        Self { time, pace: R::one() }
+    }
+    /// The time that it shows.
+    #[inline(always)]
+    pub(crate) fn time(&self) -> R {
+        self.time
+    }
+    /// A function of time with its derivatives, by the time of the motion.
+    #[inline(always)]
+    pub(crate) fn told<T: Scalar<Real = R>>(&self, [x, first, second]: [T; 3]) -> [T; 3] {
+        [x, first.scale(self.pace), second.scale(self.pace * self.pace)]
+    }
+}
 
 impl<T: Scalar<Real = R>, R: Real> Retraction<T> for Clock<R> {
     type Rate = ();
 }
 
 impl<T: Scalar<Real = R>, R: Real> Position<T> for Clock<R> {
+    const CLOCKED: bool = true;
+
     #[inline(always)]
     fn drift_0(&mut self, from: &Self, (time, ()): Term<'_, T, ()>) {
-        self.0 = from.0 + time;
+        *self = Self { time: from.time + time, ..*from };
     }
     #[inline(always)]
     fn drift_1(&mut self, from: &Self, rate: Term<'_, T, ()>, _: Term<'_, T, ()>) {
@@ -47,7 +74,10 @@ impl<T: Scalar<Real = R>, R: Real> Position<T> for Clock<R> {
     }
     #[inline(always)]
     fn set_clocks(&mut self, time: R) {
-        self.0 = time;
+        self.time = time;
+    }
+    fn stop_clocks(&mut self) {
+        self.pace = R::zero();
     }
 }
 

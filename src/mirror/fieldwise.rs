@@ -184,6 +184,9 @@ macro_rules! fieldwise_position {
         fn set_clocks(&mut self, _at: T::Real) {
             $(self.$i.set_clocks(_at);)*
         }
+        fn stop_clocks(&mut self) {
+            $(self.$i.stop_clocks();)*
+        }
     };
 }
 

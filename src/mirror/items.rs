@@ -133,6 +133,7 @@ macro_rules! mirror_items {
         }
 
         impl<T: Scalar, A: Position<T>, $($generics)*> Position<T> for $container {
+            const CLOCKED: bool = A::CLOCKED;
             const MODES: bool = A::MODES;
 
             #[inline]
@@ -207,6 +208,9 @@ macro_rules! mirror_items {
             #[inline]
             fn set_clocks(&mut self, time: T::Real) {
                 self.iter_mut().for_each(|item| item.set_clocks(time));
+            }
+            fn stop_clocks(&mut self) {
+                self.iter_mut().for_each(Position::stop_clocks);
             }
         }
     };

@@ -187,6 +187,12 @@ pub trait Position<T: Scalar>: Retraction<T> + Clone {
         let _ = time;
     }
 
+    /// Whether coordinates are driven.
+    const CLOCKED: bool = false;
+
+    /// Lets driven coordinates stand where they are, at rest.
+    fn stop_clocks(&mut self) {}
+
     /// Whether joints have modes.
     const MODES: bool = false;
 

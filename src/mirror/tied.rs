@@ -44,6 +44,7 @@ impl<T: Scalar, X: Retraction<T>, F: Rate<T>> Retraction<T> for TiedPosition<X, 
 }
 
 impl<T: Scalar, X: Position<T>, F: Rate<T>> Position<T> for TiedPosition<X, F> {
+    const CLOCKED: bool = X::CLOCKED;
     const MODES: bool = X::MODES;
 
     fieldwise_position!(arms);

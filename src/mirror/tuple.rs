@@ -23,6 +23,7 @@ macro_rules! mirror_tuple {
         }
 
         impl<T: Scalar, $($A: Position<T>),*> Position<T> for ($($A,)*) {
+            const CLOCKED: bool = false $(|| $A::CLOCKED)*;
             const MODES: bool = false $(|| $A::MODES)*;
 
             fieldwise_position!($($i)*);

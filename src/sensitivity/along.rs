@@ -3,9 +3,11 @@
 use super::Gradient;
 use crate::adjoint::laws::{NUMBERS, ROTARY_NUMBERS};
 use crate::adjoint::{BodyLaw, ReversibleTip};
+use crate::driven::{Driven, MotionLaw};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
+use crate::inner::Drivable;
 use crate::lift::Lift;
 use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT, numbers};
 use crate::mechanics::planar::{
@@ -38,7 +40,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 
     /// Adds what a joint or a law does, number by number, as [`Lift`] meets them, of which so many are known, others among them.
-    fn add_numbers(&mut self, item: &impl Lift<Jet<T, K>, T>, by: &[T], known: usize, others: usize) {
+    pub(super) fn add_numbers(&mut self, item: &impl Lift<Jet<T, K>, T>, by: &[T], known: usize, others: usize) {
         let mut numbers = 0;
         item.lift(&mut |number: Jet<T, K>| {
             by.get(numbers).into_iter().for_each(|costate| self.add(*costate, number));
@@ -176,6 +178,17 @@ macro_rules! joints {
         }
     )*};
 }
+
+impl<T: Scalar, J, F, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>> for Driven<J, F>
+where
+    J: Drivable<Planar<Jet<T, K>>> + Lift<Jet<T, K>, T>,
+    F: MotionLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
+        walk.add_joint(self, by);
+    }
+}
+
 joints!([] Pin, [] Weld<Jet<T, K>>, [L] ElasticHinge<L>, [L] Slider<Jet<T, K>, L>);
 
 impl<T, R, X, Y, A, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>>

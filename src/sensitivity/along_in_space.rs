@@ -2,11 +2,14 @@
 
 use super::Gradient;
 use super::along::{Along, offset_alone};
+use crate::adjoint::laws::NUMBERS;
 use crate::adjoint::{BodyLaw, ReversibleTip};
 use crate::chain::Named;
+use crate::driven::{Driven, MotionLaw};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::error::Error;
+use crate::inner::Drivable;
 use crate::lift::Lift;
 use crate::mechanics::spatial::adjoint::{BODY, numbers};
 use crate::mechanics::spatial::axial::{Axial, aside};
@@ -162,6 +165,17 @@ where
         walk.add_axis(first, [by.turn.x, by.turn.y]);
         walk.add_axis(second, by.more);
         walk.add_two(self.laws(), &by.law);
+    }
+}
+
+impl<T: Scalar, J, F, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Driven<J, F>
+where
+    J: Drivable<Spatial<Jet<T, K>>> + Numbered<T, K>,
+    F: MotionLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        self.joint().add_to(walk, by);
+        walk.add_numbers(self.law(), &by.law, NUMBERS, 0);
     }
 }
 

@@ -1,11 +1,11 @@
 //! Gradients of runs of robots, along whatever parameters a scene is made of.
 
 use super::along::Along;
-use super::along_in_space::turn;
+use super::along_in_space::{Numbered, turn};
 use crate::lift::Lift;
 use crate::mechanics::spatial::body_axes::backward::{joints, links, mounts};
 use crate::mechanics::spatial::body_axes::{Armature, Axis, Bearing, BodyAxes, Flange, Link, Mode, Offset, Upright};
-use crate::mechanics::spatial::{Base, Spatial};
+use crate::mechanics::spatial::{Base, OfJoint, Spatial};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{Of, Takes};
 use crate::spring::SpringLaw;
@@ -23,6 +23,24 @@ impl<T: Scalar, const K: usize, const MOMENT: u8, const TENSOR: u8> Takes<Spatia
     }
 }
 
+impl<T, M, C, const PLACE: u8, L, A, B, const K: usize> Numbered<T, K> for Axis<Jet<T, K>, M, C, PLACE, L, A, B>
+where
+    T: Scalar,
+    M: Mode,
+    C: Offset<Jet<T, K>>,
+    L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    A: Armature<Jet<T, K>>,
+    B: Bearing,
+{
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        let (axes, place, inertia, law) = joints::parts(self);
+        walk.add_vector(by.turn, turn(&axes));
+        walk.add_vector(by.place, place);
+        walk.add(by.more[0], inertia);
+        walk.add_joint(law, &by.law);
+    }
+}
+
 impl<T, M, C, const PLACE: u8, L, A, B, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>>
     for Axis<Jet<T, K>, M, C, PLACE, L, A, B>
 where
@@ -34,11 +52,7 @@ where
     B: Bearing,
 {
     fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
-        let (axes, place, inertia, law) = joints::parts(self);
-        walk.add_vector(by.turn, turn(&axes));
-        walk.add_vector(by.place, place);
-        walk.add(by.more[0], inertia);
-        walk.add_joint(law, &by.law);
+        self.add_to(walk, by);
     }
 }
 

@@ -13,6 +13,8 @@ pub struct PullBack {
     pub laws: bool,
     /// Whether torques act: in corrections by closures nothing does but inertia.
     pub torques: bool,
+    /// Whether the angular momentum of the virtual motion is carried in the plane, too: where joints are driven.
+    pub angular: bool,
 }
 
 impl<S: Reversed> Walk<S> for PullBack {

@@ -4,8 +4,8 @@ use crate::adjoint::{Reversed, ReversibleClosing};
 use crate::loading::EffortOf;
 use crate::relation::{Closures, Open, Own};
 use crate::shape::{
-    Arm, Around, AtClosing, Ends, Kept, Main, Mut, PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Rates, Ref,
-    Selective, Side, Walk, Way,
+    Arm, Around, AtClosing, Ends, Kept, Main, Mut, PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates,
+    Ref, Selective, Side, Walk, Way,
 };
 
 /// Carries virtual velocity outward, keeps it for each body, and adds what torques in joints do to the cost.
@@ -16,14 +16,14 @@ pub struct Stir<T: Copy, C: Closures = Open> {
 
 impl<S: Reversed, C: Closures> Walk<S> for Stir<S::Scalar, C> {
     type Carried = S::Stirred;
-    /// Posture; gains; rates and accelerations of the motion; what [`Meet`](super::meet::Meet) has left, which becomes w and −ν.
+    /// Posture; gains; positions, rates and accelerations of the motion; what [`Meet`](super::meet::Meet) has left, which becomes w and −ν.
     type Stores = (
         Ref<PerAxes<S::X>>,
         Ref<PerAxes<S::Y>>,
         Ref<PerAxes<S::P>>,
         Ref<PerAxes<S::Q>>,
         Ref<Kept<C>>,
-        (Ref<Rates>, Ref<Rates>, Mut<Rates>),
+        (Ref<Positions>, Ref<Rates>, Ref<Rates>, Mut<Rates>),
         (Mut<PerBody<S::OnBody>>, Mut<PerJoint<S::InJoint>>, (Mut<PerClosure>, Mut<PerLoop<S::AtEnds>>)),
         Mut<PerJoint<EffortOf<S>>>,
     );

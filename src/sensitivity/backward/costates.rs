@@ -21,13 +21,13 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Root;
 use crate::loading::EffortOf;
-use crate::mirror::{Rate, Retraction};
+use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::{Additive, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::Takes;
 use crate::stepper::displace::{gather, gather_few, with_row};
-use crate::system::{Elements, MotionOf, RateOf};
+use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use crate::walks::meet::Meet;
 use crate::walks::pull_back::PullBack;
 use crate::walks::stir::Stir;
@@ -225,7 +225,7 @@ where
         elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
         let weight = P::Closures::solve(&stage.compliance, &walk.gaps);
         let kept_of_them = (&mut self.on_bodies, &mut self.in_joints, (&mut self.in_loops, &mut self.at_ends));
-        let stores = (x, y, p, q, kept, (rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
+        let stores = (x, y, p, q, kept, (position, rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
         let forces = opposite::<S, P::Closures>(&weight);
         let stirred = elements.take(&mut Stir { forces }, S::at_ground(&frame), stores);
         let mut pulled = S::Pulled::null();
@@ -239,7 +239,11 @@ where
         let of_loops = (&self.in_loops, in_loops, &self.at_ends);
         let kept_of_them = (at_bodies, at_joints, &self.on_bodies, &self.in_joints, pivots, of_loops);
         let stores = (x, y, p, q, (position, rate, acceleration, &*free), kept_of_them, (bodies, joints), start);
-        let left = elements.take(&mut PullBack { laws, torques: true }, pulled, stores);
+        let left = elements.take(
+            &mut PullBack { laws, torques: true, angular: PositionOf::<S, R, C>::CLOCKED },
+            pulled,
+            stores,
+        );
         let (gravity, turn) = S::of_ground(&left, &frame);
         (gradient.gravity, gradient.ground) = (gradient.gravity + gravity, gradient.ground + turn);
         if const { L::ON } {

@@ -17,12 +17,12 @@ use crate::element::{Coordinates, Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault, ensure_finite};
 use crate::loading::EffortOf;
-use crate::mirror::Rate;
+use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::sensitivity::Costate;
 use crate::simulate::crossing::{crosses, crossing, departure, of_one_number};
-use crate::system::{Elements, MotionOf, Runs, System};
+use crate::system::{Elements, MotionOf, PositionOf, Runs, System};
 use core::any::TypeId;
 use num_traits::Zero;
 
@@ -113,14 +113,14 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
-    /// Loads on bodies ([`under`](Self::under)) may not depend on time here, nor may the ground move: their part in what the last step's size changes is not found.
+    /// Loads on bodies ([`under`](Self::under)) may not depend on time here, nor may the ground move or joints be driven: their part in what the last step's size changes is not found.
     /// A law that gives other loads at three times of the last step, for a motion at its start, its end or one of its stages, is refused. So are scenes over jets, dual numbers and lanes: times are
     /// plain numbers, and what the time of the end does to second derivatives, or in each lane, is not found.
     ///
     /// # Errors
     /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step; [`Fault::NotFinite`] where the function of the event does
     /// not change with the time of the end, so that no time is that of the event; [`Fault::Unsupported`] for loads that depend on time, ground that
-    /// moves, and numbers that are not plain.
+    /// moves, joints that are driven, and numbers that are not plain.
     pub fn gradient_to_event(
         &mut self,
         torques: &[EffortOf<S>],
@@ -133,6 +133,10 @@ where
         self.admits(states.len() - 1, by_torques.len())?;
         if TypeId::of::<S::Scalar>() != TypeId::of::<RealOf<S>>() {
             let what = "the gradient up to an event of numbers that carry derivatives, or lanes: times have none";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
+        if const { PositionOf::<S, R, C>::CLOCKED } {
+            let what = "the gradient up to an event of joints that are driven";
             return Err(Error::new(Fault::Unsupported { what }));
         }
         if const { !R::RESTS } {

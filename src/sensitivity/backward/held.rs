@@ -17,7 +17,7 @@ use crate::element::Element;
 use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Solvable, Wrench};
-use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Rates, Takes};
+use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Takes};
 use crate::space::{FrameOf, Orientation};
 use crate::system::System;
 use crate::walks::meet::Meet;
@@ -35,6 +35,8 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     pub(super) p: E::Store<PerAxes<S::P>>,
     pub(super) q: E::Store<PerAxes<S::Q>>,
     zero: E::Rate,
+    /// Positions at which the stage stands at rest.
+    pub(super) still: E::Position,
     /// Costates, and what is solved for.
     pub(super) costates: E::Rate,
     pub(super) solved: E::Rate,
@@ -122,6 +124,7 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
             of_stage: zero.clone(),
             of_speed: zero.clone(),
             zero,
+            still: elements.store::<Positions>(()),
             on_bodies: elements.store::<PerBody<_>>(on_body),
             in_joints: elements.store::<PerJoint<_>>(in_joint),
             at_ends: elements.store::<PerLoop<_>>(at_ends),
@@ -165,9 +168,9 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
         E: Takes<S, Stir<S::Scalar, P::Closures>>,
     {
         let kept = &stage.kept;
-        let Self { x, y, p, q, zero, solved, correction, on_bodies, in_joints, at_ends, efforts, .. } = self;
+        let Self { x, y, p, q, zero, still, solved, correction, on_bodies, in_joints, at_ends, efforts, .. } = self;
         let in_loops = if of_costates { &mut self.of_forces } else { &mut self.forces };
-        let (posture, motion) = ((&*x, &*y, &*p, &*q), (&*zero, &*correction, &mut *solved));
+        let (posture, motion) = ((&*x, &*y, &*p, &*q), (&*still, &*zero, &*correction, &mut *solved));
         let (x, y, p, q) = posture;
         let stores = (x, y, p, q, kept, motion, (on_bodies, in_joints, (in_loops, at_ends)), efforts);
         S::stirred(&elements.take(&mut Stir { forces }, S::at_ground(ground), stores))

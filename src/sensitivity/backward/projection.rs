@@ -210,8 +210,10 @@ where
         room.weights.clone_from(&room.nothing);
         let none: EachOf<S, P> = P::Closures::each(|_| S::Scalar::zero());
         let mut weights = none;
-        let Room { sizes, x, y, p, q, .. } = room;
-        S::pose(elements, position, zero, ground.turn, sizes, x, y, p, q);
+        let Room { sizes, x, y, p, q, still, .. } = room;
+        still.clone_from(position);
+        still.stop_clocks();
+        S::pose(elements, still, zero, ground.turn, sizes, x, y, p, q);
         let (columns, of) = (tip.columns(), total::<S, P::Closures>);
         // The tip, and loop by loop.
         for closure in usize::from(!Self::HELD)..=room.loops {
@@ -242,7 +244,7 @@ where
             }
             let stirred = room.stir::<P>(elements, &ground, stage, minus_weight, true);
             // What the stage's M and Γ change of x.
-            let Room { x, y, p, q, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
+            let Room { x, y, p, q, still, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
             let mut pulled = S::Pulled::null();
             if number.is_none() {
                 pulled = S::pulled((of(&columns, &weights), &moved), (of(&columns, &force), &stirred));
@@ -250,10 +252,11 @@ where
             }
             let in_loops = (&room.of_forces, &room.forces, &room.at_ends);
             let reached = (&room.at_bodies, &room.at_joints, &*on_bodies, &*in_joints, &stage.pivots, in_loops);
-            let motion = (position, zero, &*correction, &*solved);
+            let motion = (&*still, zero, &*correction, &*solved);
             let sums = (&mut gradient.bodies, &mut gradient.joints);
             let stores = (&*x, &*y, &*p, &*q, motion, reached, sums, (&mut *of_position, &mut *of_rate));
-            let left = elements.take(&mut PullBack { laws: false, torques: false }, pulled, stores);
+            let angular = PositionOf::<S, R, C>::CLOCKED;
+            let left = elements.take(&mut PullBack { laws: false, torques: false, angular }, pulled, stores);
             room.of_stage.add(of_position);
             if const { M::IMPLICIT } {
                 let weights = self.rule.own::<S::Scalar>(step);
@@ -279,7 +282,7 @@ where
         solved.set(zero);
         room.forces.clone_from(&room.nothing);
         let kept = (&mut *on_bodies, &mut *in_joints, (&mut room.forces, &mut room.at_ends));
-        let stores = (&*x, &*y, &*p, &*q, &stage.kept, (rate, zero, &mut *solved), kept, &mut room.efforts);
+        let stores = (&*x, &*y, &*p, &*q, &stage.kept, (place, rate, zero, &mut *solved), kept, &mut room.efforts);
         elements.take(&mut Stir { forces: none }, S::at_ground(&ground), stores);
         let mut walk = self.loads.pull(elements, time, level, gradient.law.clone());
         let felt = tip.felt(&weights, &frame, level);

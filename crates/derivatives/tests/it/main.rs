@@ -7,6 +7,7 @@ mod front;
 mod front_edges;
 #[macro_use]
 mod held;
+mod driven;
 mod held_runs;
 mod implicit;
 mod implicit_closed;
@@ -15,7 +16,9 @@ mod implicit_runs;
 mod loop_runs;
 mod loops;
 mod recognised;
+#[macro_use]
 mod robots;
+mod driven_robots;
 mod rows;
 mod second;
 mod stiffening;

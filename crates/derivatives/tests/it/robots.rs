@@ -7,7 +7,7 @@ use catena::robot::*;
 use catena::scalar::Jet;
 
 /// How one number acts in a joint: as the first of an effort.
-mod efforts {
+pub mod efforts {
     use catena::Scalar;
     use catena::robot::Effort;
 
@@ -20,14 +20,14 @@ mod efforts {
 }
 
 /// Runs what needs more stack than a test's thread has.
-fn on_a_large_stack(test: fn()) {
+pub fn on_a_large_stack(test: fn()) {
     let run = std::thread::Builder::new().stack_size(256 << 20).spawn(test).unwrap().join();
     run.unwrap_or_else(|panic| std::panic::resume_unwind(panic));
 }
 
 /// Springs to the origin and drag, in proportion to what the law reads of a body.
 #[derive(Clone, Copy)]
-struct Medium;
+pub struct Medium;
 catena::lift!(Medium);
 impl<T: Scalar> LoadLaw<BodyMotion<T>> for Medium {
     type Value = Wrench<T>;
@@ -41,7 +41,7 @@ impl<T: Scalar> LoadLaw<BodyMotion<T>> for Medium {
 }
 
 /// Places of joints, turns between bodies, two links, springs, a rotor, gravity.
-const KINDS: [(&str, usize); 8] = [
+pub const KINDS: [(&str, usize); 8] = [
     ("places", 6),
     ("offsets", 4),
     ("masses", 2),
@@ -52,7 +52,7 @@ const KINDS: [(&str, usize); 8] = [
     ("gravity", 3),
 ];
 
-fn numbers() -> Vec<f64> {
+pub fn numbers() -> Vec<f64> {
     let mut list = vec![0.1, -0.2, 0.4, 0.05, 0.3, -0.1, 0.3, -0.4, 0.5, 0.7, 1.3, 0.8];
     list.extend([0.05, -0.03, 0.2, 0.02, 0.1, 0.15]);
     list.extend([0.11, 0.09, 0.05, 0.004, -0.003, 0.002, 0.08, 0.07, 0.03, 0.002, 0.003, -0.004]);

@@ -44,6 +44,7 @@ fn factor<T: Scalar, C: Closures>(body: &impl Body<T>, pose: Pose<T>, outer: Out
 /// Carries G and F over a body whose outboard end accelerates by `a`.
 #[cfg_attr(optimised, inline(always))]
 fn pull_back<T: Scalar, B: Body<T>>(
+    walk: &PullBack,
     body: &B,
     pose: Pose<T>,
     (a, met): (Vector2<T>, OnBody<T>),
@@ -51,16 +52,20 @@ fn pull_back<T: Scalar, B: Body<T>>(
     sums: &mut Base<T>,
 ) -> Pulled<T> {
     let [d, centripetal] = body.arm(pose);
-    let Base { moment, lumped, .. } = body.base();
-    let OnBody { velocity: v, acceleration: angular, stirring: w } = met;
+    let Base { moment, inertia, lumped, .. } = body.base();
+    let OnBody { velocity: v, acceleration: turning, stirring: w } = met;
     let mut momentum = add_scaled(carried.momentum, lumped, v);
     let mut force = add_scaled(carried.force, lumped, a);
     sums.lumped = (-a.x).mul_add(v.x, (-a.y).mul_add(v.y, sums.lumped));
-    sums.inertia = (-angular).mul_add(w, sums.inertia);
+    sums.inertia = (-turning).mul_add(w, sums.inertia);
     let n = normal(d);
     let turned_across = dot(n, momentum);
     let mut along = plus_dot(carried.along, d, momentum);
     let mut across = carried.across + turned_across;
+    let mut angular = carried.angular;
+    if walk.angular {
+        angular = inertia.mul_add(w, angular + turned_across);
+    }
     let mut lever = plus_dot(carried.lever, d, force);
     if B::MOMENT {
         let (direction, minus_spin2) = (body.direction(pose), pose.p);
@@ -70,21 +75,24 @@ fn pull_back<T: Scalar, B: Body<T>>(
         };
         // The costate of a vector whose own acceleration meets p in P, and whose virtual velocity meets q.
         let per =
-            |p: Vector2<T>, q: Vector2<T>| add_scaled(add_scaled(normal(p) * angular, -minus_spin2, p), w, normal(q));
+            |p: Vector2<T>, q: Vector2<T>| add_scaled(add_scaled(normal(p) * turning, -minus_spin2, p), w, normal(q));
         back(per(momentum, force), &mut sums.outboard);
-        let (v, a) = (add_scaled(v, -w, n), add_scaled(a, -angular, n) - centripetal);
+        let (v, a) = (add_scaled(v, -w, n), add_scaled(a, -turning, n) - centripetal);
         back(per(v, a), &mut sums.moment);
         let moment = turned(moment);
         let beside = normal(moment);
+        if walk.angular {
+            angular = plus_dot(angular, beside, v);
+        }
         (along, across, lever) = (plus_dot(along, moment, v), plus_dot(across, beside, v), plus_dot(lever, moment, a));
         momentum = add_scaled(momentum, w, beside);
-        force = add_scaled(add_scaled(force, angular, beside), minus_spin2, moment);
+        force = add_scaled(add_scaled(force, turning, beside), minus_spin2, moment);
     } else {
         // d · d̄: see `Costates::complete`.
-        let length = plus_dot(angular.mul_add(turned_across, w * dot(n, force)), centripetal, momentum);
+        let length = plus_dot(turning.mul_add(turned_across, w * dot(n, force)), centripetal, momentum);
         sums.outboard[0] -= length;
     }
-    Pulled { momentum, force, along, across, lever, ..carried }
+    Pulled { momentum, force, along, across, lever, angular, ..carried }
 }
 
 macro_rules! bodies {
@@ -152,11 +160,11 @@ macro_rules! bodies {
             #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
-                _: &mut PullBack,
+                walk: &mut PullBack,
                 outer: Pulled<T>,
                 (&x, &y, &p, &q, _, (a, (), met, ..), (sums, ()), _): Of<'_, Planar<T>, PullBack, Self>,
             ) -> Pulled<T> {
-                pull_back(self, Pose { x, y, p, q }, (*a, *met), outer, sums)
+                pull_back(walk, self, Pose { x, y, p, q }, (*a, *met), outer, sums)
             }
         }
     )*};

@@ -79,6 +79,7 @@ impl ReversingAxes for Inboard {
             along: dot(d, at.momentum),
             across: dot(normal(d), at.momentum),
             lever: dot(d, at.force),
+            angular: plus_dot(at.angular, normal(d), at.momentum),
             beyond: sum(at.beyond, Some([turns, whirls + whirls])),
             ..at
         };

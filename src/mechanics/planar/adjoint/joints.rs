@@ -67,7 +67,7 @@ impl<T: Scalar, C: Closures> Takes<Planar<T>, Stir<T, C>> for Pin {
         &self,
         walk: &mut Stir<T, C>,
         inner: Stirred<T>,
-        (.., gain, (rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir<T, C>, Self>,
+        (.., gain, (_, rate, acceleration, free), _, torque): Of<'_, Planar<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
         let linear = inner.velocity.linear;
         let w = C::plus_dot(plus_dot(*free, gain.per_acceleration, linear), &gain.per_closure, &walk.forces);
@@ -89,7 +89,7 @@ impl<T: Scalar> Takes<Planar<T>, PullBack> for Pin {
         (.., (_, &rate, &acceleration, &stirring), _, _, (of_position, of_rate)): Of<'_, Planar<T>, PullBack, Self>,
     ) -> Pulled<T> {
         [*of_position, *of_rate] = outer.turned(Turning { rate, acceleration, stirring });
-        outer.summed(None)
+        Pulled { angular: T::zero(), ..outer.summed(None) }
     }
 }
 
@@ -182,7 +182,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Stir<T, C>> f
         &self,
         walk: &mut Stir<T, C>,
         inner: Stirred<T>,
-        (.., gain, (rate, acceleration, free), (_, kept, _), torque): Of<'_, Planar<T>, Stir<T, C>, Self>,
+        (.., gain, (_, rate, acceleration, free), (_, kept, _), torque): Of<'_, Planar<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
         let Acceleration { linear, angular } = inner.velocity;
         *free += gain.homogeneous().relative(linear, angular, &walk.forces);

@@ -155,7 +155,12 @@ where
         &self,
         walk: &mut Stir<T, C>,
         inner: Stirred<T>,
-        (x, y, p, q, kept, (rate, acceleration, free), (_, at_joint, _), torque): Of<'_, Planar<T>, Stir<T, C>, Self>,
+        (x, y, p, q, kept, (_, rate, acceleration, free), (_, at_joint, _), torque): Of<
+            '_,
+            Planar<T>,
+            Stir<T, C>,
+            Self,
+        >,
     ) -> Stirred<T> {
         let mut gains = Self::homogeneous::<C>(kept);
         (gains.x.free, gains.y.free, gains.rotation.free) = *free;

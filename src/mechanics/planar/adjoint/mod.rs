@@ -1,6 +1,7 @@
 //! The costate sweep in the plane: what is carried and kept.
 
 mod bodies;
+mod driven;
 mod ends;
 mod hinge_axes;
 mod joints;
@@ -100,6 +101,8 @@ pub struct Pulled<T> {
     along: T,
     across: T,
     lever: T,
+    /// H = ∂P/∂α, the angular momentum of the virtual motion, where [`PullBack`](crate::walks::pull_back::PullBack) is to carry it.
+    angular: T,
     /// Costates of angle and angular velocity of all that turns along and is not in these sums: beyond a hinge, and on a line that turns.
     /// Nothing, rather than zeros, where there are no such joints.
     beyond: Option<[T; 2]>,
@@ -147,6 +150,7 @@ impl<T: Scalar> Add for Pulled<T> {
             along: self.along + other.along,
             across: self.across + other.across,
             lever: self.lever + other.lever,
+            angular: self.angular + other.angular,
             beyond: sum(self.beyond, other.beyond),
         }
     }
@@ -156,7 +160,7 @@ impl<T: Scalar> Additive for Pulled<T> {
     #[inline(always)]
     fn null() -> Self {
         let (zero, none) = (T::zero(), Vector2::null());
-        Self { momentum: none, force: none, along: zero, across: zero, lever: zero, beyond: None }
+        Self { momentum: none, force: none, along: zero, across: zero, lever: zero, angular: zero, beyond: None }
     }
 }
 
@@ -226,9 +230,9 @@ impl<T: Scalar> Costates for Planar<T> {
     type OfBody = Base<T>;
     type OfJoint = [T; NUMBERS_OF_JOINT];
 
-    /// Torques do not turn with the body, and so are not seen.
+    /// Torques do not turn with the body.
     fn pulled((weight, _): (Wrench<T>, &Acceleration<T>), (force, _): (Wrench<T>, &Acceleration<T>)) -> Pulled<T> {
-        Pulled { momentum: weight.force, force: -force.force, ..Pulled::null() }
+        Pulled { momentum: weight.force, force: -force.force, angular: weight.torque, ..Pulled::null() }
     }
     #[inline(always)]
     fn of_ground(pulled: &Pulled<T>, frame: &Frame<T>) -> (Vector2<T>, T) {

@@ -89,7 +89,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Planar<T>, Stir<T, C>> f
         &self,
         walk: &mut Stir<T, C>,
         inner: Stirred<T>,
-        (x, y, p, q, gain, (_, _, free), (_, kept, _), force): Of<'_, Planar<T>, Stir<T, C>, Self>,
+        (x, y, p, q, gain, (.., free), (_, kept, _), force): Of<'_, Planar<T>, Stir<T, C>, Self>,
     ) -> Stirred<T> {
         let offset = Inboard::offset(x, y, p, q);
         let carried = inner.velocity.swung(offset.arm);
@@ -135,6 +135,7 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Planar<T>, PullBack> for Slider<T, L>
             along: dot(d, momentum),
             across: dot(n, momentum),
             lever: dot(d, force),
+            angular: dot(n, momentum),
             beyond: Some(line_turns),
         };
         sums[0] += arm.turned(turning)[0];

@@ -179,7 +179,7 @@ macro_rules! axial {
                 Stirred { velocity, turning: inner }: Stirred<T>,
                 stores: Of<'_, Spatial<T>, Stir<T, C>, Self>,
             ) -> Stirred<T> {
-                let (axes, bias, _, _, gain, (rate, acceleration, free), (_, kept, _), torque) = stores;
+                let (axes, bias, _, _, gain, (_, rate, acceleration, free), (_, kept, _), torque) = stores;
                 let mut own = Listed::<T, $K>::list(free);
                 let (rate, acceleration) = (Listed::<T, $K>::list(rate), Listed::<T, $K>::list(acceleration));
                 let mut virtually = Acceleration { linear: velocity, angular: inner.stirring };

@@ -88,7 +88,12 @@ impl<T: Scalar, C: Closures> Takes<Spatial<T>, Stir<T, C>> for Ball {
         &self,
         walk: &mut Stir<T, C>,
         Stirred { velocity, turning: inner }: Stirred<T>,
-        (attitude, .., gain, (rate, acceleration, free), ((), kept, _), torque): Of<'_, Spatial<T>, Stir<T, C>, Self>,
+        (attitude, .., gain, (_, rate, acceleration, free), ((), kept, _), torque): Of<
+            '_,
+            Spatial<T>,
+            Stir<T, C>,
+            Self,
+        >,
     ) -> Stirred<T> {
         let stirring = Gain { free: Vector3::from(*free), ..*gain }.angular(velocity, &walk.forces);
         *free = attitude.transposed(stirring).into();

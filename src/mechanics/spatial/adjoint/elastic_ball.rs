@@ -157,7 +157,7 @@ impl<T: Scalar, C: Closures, R: ReversibleRotary<T>> Takes<Spatial<T>, Stir<T, C
         &self,
         walk: &mut Stir<T, C>,
         Stirred { velocity, turning: inner }: Stirred<T>,
-        (attitude, bias, .., gain, (rate, acceleration, free), ((), kept, _), torque): Of<
+        (attitude, bias, .., gain, (_, rate, acceleration, free), ((), kept, _), torque): Of<
             '_,
             Spatial<T>,
             Stir<T, C>,

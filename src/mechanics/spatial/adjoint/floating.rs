@@ -84,7 +84,7 @@ impl<T: Scalar> Takes<Spatial<T>, Stir<T, Open>> for Floating<T> {
         &self,
         _: &mut Stir<T, Open>,
         inner: Stirred<T>,
-        (attitude, .., (rate, acceleration, free), ((), kept, _), _): Of<'_, Spatial<T>, Stir<T, Open>, Self>,
+        (attitude, .., (_, rate, acceleration, free), ((), kept, _), _): Of<'_, Spatial<T>, Stir<T, Open>, Self>,
     ) -> Stirred<T> {
         let (velocity, stirring) = (Vector3::from(free.0), Vector3::from(free.1));
         free.1 = attitude.transposed(stirring).into();

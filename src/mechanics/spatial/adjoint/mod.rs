@@ -3,6 +3,7 @@
 mod axial;
 mod ball;
 mod bodies;
+pub(crate) mod driven;
 mod elastic_ball;
 mod ends;
 mod felt;

@@ -113,7 +113,7 @@ impl<T: Scalar, C: Closures, L: ReversibleLaw<T>> Takes<Spatial<T>, Stir<T, C>> 
         &self,
         walk: &mut Stir<T, C>,
         Stirred { velocity, turning: inner }: Stirred<T>,
-        (axes, bias, .., [gain], (rate, acceleration, free), ((), kept, _), torque): Of<
+        (axes, bias, .., [gain], (_, rate, acceleration, free), ((), kept, _), torque): Of<
             '_,
             Spatial<T>,
             Stir<T, C>,

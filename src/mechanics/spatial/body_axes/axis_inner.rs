@@ -2,8 +2,9 @@
 
 use super::axis::{Armature, Axis, Bearing, Mode};
 use super::closures::{ClosedGains, accelerated};
-use super::number::{Number, values};
-use super::relation::{Gains, Outboard};
+use super::number::{Number, Triple, values};
+use super::relation::{Gains, LocalCuts, Outboard};
+use super::sparse::Sparse;
 use super::standing::Standing;
 use super::turns::Offset;
 use crate::element::{Element, Sweep};
@@ -41,6 +42,24 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     }
     #[inline(always)]
     fn resolve(_: &mut Columns<T>, _: &mut [Vector3<T>; 2], _: &mut Vector3<T>, _: &mut Vector3<T>) {}
+}
+
+impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Armature<T>, B: Bearing>
+    Axis<T, M, C, PLACE, L, A, B>
+{
+    /// The relation at the body's origin where the coordinate accelerates as given; gains that give that acceleration are kept.
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn led<R: Outboard<T>>(
+        outer: R,
+        [x, y, z]: Triple<T>,
+        acceleration: T,
+        kept: &mut ClosedGains<T, R::Closures>,
+    ) -> (Sparse<T>, LocalCuts<T, R::Closures>) {
+        *kept = ClosedGains::unmoved(Gains { free: acceleration, ..Gains::blank() });
+        let (second, o) = (Number::of(acceleration), Number::zero());
+        let besides = if const { M::TURNS } { [[o; 3], [x, y, second]] } else { [[x, y, z.plus(second)], [o; 3]] };
+        (outer.sparse().accelerated(besides), accelerated(outer.cuts(), besides.map(values)))
+    }
 }
 
 impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, A: Armature<T>, B: Bearing> Guardable<Spatial<T>>
@@ -84,11 +103,8 @@ where
         acceleration: T,
         kept: &mut ClosedGains<T, R::Closures>,
     ) -> B::Relation<T, R::Closures> {
-        *kept = ClosedGains::unmoved(Gains { free: acceleration, ..Gains::blank() });
-        let (stand, [swung, [x, y, z]]) = Self::posture(x, y);
-        let (relation, second, o) = (outer.sparse(), Number::of(acceleration), Number::zero());
-        let besides = if const { M::TURNS } { [[o; 3], [x, y, second]] } else { [[x, y, z.plus(second)], [o; 3]] };
-        let (relation, cuts) = (relation.accelerated(besides), accelerated(outer.cuts(), besides.map(values)));
+        let (stand, [swung, bias]) = Self::posture(x, y);
+        let (relation, cuts) = Self::led(outer, bias, acceleration, kept);
         self.handed_on(relation.at_joint(M::TURNS, stand), cuts, (stand, swung))
     }
 }

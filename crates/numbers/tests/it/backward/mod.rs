@@ -283,6 +283,7 @@ macro_rules! gradients {
 // Behind the macro, which they use.
 mod attitudes;
 mod chains;
+mod driven;
 mod joints;
 mod laws;
 mod linear;

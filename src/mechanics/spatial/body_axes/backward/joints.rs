@@ -122,7 +122,7 @@ takes!([Q: Closures] Meet<T, Q>, |joint, walk, outer: Wrench<T>, (x, y, .., kept
 });
 
 takes!([Q: Closures] Stir<T, Q>, |joint, walk, inner: Stirred<T>,
-    (x, y, .., kept, (rate, acceleration, free), ((), met, _), torque)| {
+    (x, y, .., kept, (_, rate, acceleration, free), ((), met, _), torque)| {
     let (stand, [_, bias]) = Self::posture(x, y);
     let (none, Turning { spin, acceleration: turning, stirring }) = ([Number::zero(); 3], inner.turning);
     let p = [triple(inner.velocity.into()), triple(stirring.into())];

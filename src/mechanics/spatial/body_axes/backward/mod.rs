@@ -5,6 +5,7 @@
 //! no attitude but what lies beyond flanges: the costate of turns that is carried there is Δ = Θ − W × F − A × G, which bodies and arms
 //! leave as it is, and which is nothing where there is no flange.
 
+mod driven;
 pub mod joints;
 pub mod links;
 pub mod mounts;

@@ -348,6 +348,7 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 }
 
 // Behind the macro, which it uses.
+mod driven;
 mod elastic;
 mod floating;
 mod held;
