@@ -40,6 +40,7 @@ impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
     const JOINTS: Option<usize> = A::JOINTS;
     const LOOPS: usize = A::LOOPS;
     const LINEAR: bool = A::LINEAR;
+    const ROTARY: bool = A::ROTARY;
     const OWN_AXES: bool = A::OWN_AXES;
     const SINES: usize = A::SINES;
     const FLANGED: bool = A::FLANGED;

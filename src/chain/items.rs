@@ -81,6 +81,7 @@ macro_rules! chain_items {
             };
             const LOOPS: usize = A::LOOPS;
             const LINEAR: bool = A::LINEAR;
+            const ROTARY: bool = A::ROTARY;
             const OWN_AXES: bool = A::OWN_AXES;
             const FLANGED: bool = A::FLANGED;
             const SINES: usize = {

@@ -57,6 +57,7 @@ impl<S: Space, E: Shape<S>> Shape<S> for Named<E> {
     const JOINTS: Option<usize> = E::JOINTS;
     const LOOPS: usize = E::LOOPS;
     const LINEAR: bool = E::LINEAR;
+    const ROTARY: bool = E::ROTARY;
     const OWN_AXES: bool = E::OWN_AXES;
     const SINES: usize = E::SINES;
     const FLANGED: bool = E::FLANGED;

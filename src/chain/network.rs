@@ -82,6 +82,7 @@ impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Shape<S> for Network<M, 
     const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
     const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
     const LINEAR: bool = M::LINEAR && A::LINEAR;
+    const ROTARY: bool = M::ROTARY || A::ROTARY;
     const OWN_AXES: bool = M::OWN_AXES || A::OWN_AXES;
     const SINES: usize = M::SINES.saturating_add(A::SINES);
     const FLANGED: bool = M::FLANGED || A::FLANGED;

@@ -109,6 +109,7 @@ macro_rules! chain_of {
                 deepest
             };
             const LINEAR: bool = true $(&& $A::LINEAR)*;
+            const ROTARY: bool = false $(|| $A::ROTARY)*;
             const OWN_AXES: bool = false $(|| $A::OWN_AXES)*;
             const SINES: usize = 0_usize $(.saturating_add($A::SINES))*;
             const FLANGED: bool = false $(|| $A::FLANGED)*;

@@ -43,6 +43,7 @@ macro_rules! compound {
                 const JOINTS: ::core::option::Option<usize> = <$Parts as $crate::internals::shape::Shape<Spaced>>::JOINTS;
                 const LOOPS: usize = <$Parts as $crate::internals::shape::Shape<Spaced>>::LOOPS;
                 const LINEAR: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::LINEAR;
+                const ROTARY: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::ROTARY;
                 const OWN_AXES: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::OWN_AXES;
                 const SINES: usize = <$Parts as $crate::internals::shape::Shape<Spaced>>::SINES;
                 const FLANGED: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::FLANGED;

@@ -67,7 +67,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     }
 
     /// Adds what one of several laws of a joint does: each has a share of its numbers.
-    fn add_law(&mut self, law: &impl Lift<Jet<T, K>, T>, by: &[T]) {
+    pub(super) fn add_law(&mut self, law: &impl Lift<Jet<T, K>, T>, by: &[T]) {
         self.add_numbers(law, by, NUMBERS, NUMBERS - LAW_NUMBERS);
     }
 

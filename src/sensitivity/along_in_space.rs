@@ -14,8 +14,8 @@ use crate::lift::Lift;
 use crate::mechanics::spatial::adjoint::{BODY, numbers};
 use crate::mechanics::spatial::axial::{Axial, aside};
 use crate::mechanics::spatial::{
-    Acceleration, Ball, Base, Cylindrical, ElasticHinge, Floating, Frame, Inertial, OfJoint, PointMass, Prismatic,
-    Revolute, RigidBody, Rod, RotaryLaw, Spatial, Universal, Weld,
+    Acceleration, Ball, Base, Cylindrical, ElasticHinge, Floating, Frame, Inertial, Linear, OfJoint, PointMass,
+    Prismatic, Revolute, RigidBody, Rod, RotaryLaw, Spatial, Universal, Weld,
 };
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
@@ -97,6 +97,24 @@ impl<T: Scalar, const K: usize> Numbered<T, K> for Ball {
 impl<T: Scalar, const K: usize, R: RotaryLaw<Jet<T, K>> + Lift<Jet<T, K>, T>> Numbered<T, K> for ElasticHinge<R> {
     fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
         walk.add_rotary(self.law(), &by.of_rotary());
+    }
+}
+
+impl<T: Scalar, R, X, Y, Z, const K: usize> Numbered<T, K> for ElasticHinge<R, Linear<Jet<T, K>, X, Y, Z>>
+where
+    R: RotaryLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    X: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    Y: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    Z: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
+        let (mut of, (rotary, linear)) = (*by, self.parts());
+        let ([of_x, of_y, of_z], (x, y, z)) = (of.of_linear(), linear.laws());
+        walk.add_law(x, of_x);
+        walk.add_law(y, of_y);
+        walk.add_law(z, of_z);
+        walk.add(by.more[0], linear.lumped());
+        walk.add_rotary(rotary, &by.of_rotary());
     }
 }
 
@@ -196,6 +214,19 @@ joints!([L M] Cylindrical<Jet<T, K>, L, M>, [L M] Universal<Jet<T, K>, L, M>);
 
 impl<T: Scalar, const K: usize, R: RotaryLaw<Jet<T, K>> + Lift<Jet<T, K>, T>> Takes<Spatial<Jet<T, K>>, Along<T, K>>
     for ElasticHinge<R>
+{
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        self.add_to(walk, by);
+    }
+}
+
+impl<T: Scalar, R, X, Y, Z, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>>
+    for ElasticHinge<R, Linear<Jet<T, K>, X, Y, Z>>
+where
+    R: RotaryLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    X: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    Y: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+    Z: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
 {
     fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
         self.add_to(walk, by);

@@ -69,6 +69,9 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool;
 
+    /// Whether one of its laws resists turns in space.
+    const ROTARY: bool = false;
+
     /// Angles whose sines the joint wants before bodies are posed: one or none.
     const SINES: usize = 0;
     /// The angle whose sine the joint wants.
@@ -170,21 +173,22 @@ pub trait AsJoint<S: Space>: Shape<S> + Joint<S> {
 /// Gives bodies or joints of a space their shape: `leaf!(body [T: Scalar] Rod<T>: Planar<T>)`. No walk is named here.
 macro_rules! leaf {
     (body [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, <Self as $crate::shape::Body<$S>>::OWN_AXES, 0, false, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, false, <Self as $crate::shape::Body<$S>>::OWN_AXES, 0, false, [$($generics)*] $Leaf, $S);
     };
     (joint [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, false, <Self as $crate::shape::Joint<$S>>::SINES, false, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, <Self as $crate::shape::Joint<$S>>::ROTARY, false, <Self as $crate::shape::Joint<$S>>::SINES, false, [$($generics)*] $Leaf, $S);
     };
     (flange [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, true, false, 0, true, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, true, false, false, 0, true, [$($generics)*] $Leaf, $S);
     };
-    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, $own_axes:expr, $sines:expr, $flanged:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
+    ($As:ident, $In:ident, $meet:ident, $in:ident, $bodies:literal, $joints:literal, $linear:expr, $rotary:expr, $own_axes:expr, $sines:expr, $flanged:expr, [$($generics:tt)*] $Leaf:ty, $S:ty) => {
         impl<$($generics)*> $crate::shape::Shape<$S> for $Leaf {
             type Store<Stored: $crate::shape::Field<$S>> = Stored::$In<Self>;
 
             const BODIES: Option<usize> = Some($bodies);
             const JOINTS: Option<usize> = Some($joints);
             const LINEAR: bool = $linear;
+            const ROTARY: bool = $rotary;
             const OWN_AXES: bool = $own_axes;
             const SINES: usize = $sines;
             const FLANGED: bool = $flanged;

@@ -55,6 +55,9 @@ pub trait Shape<S: Space>: Clone + 'static {
     const FLANGED: bool = false;
     /// Whether no law of a spring or damper inside has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
+    /// Whether a law inside resists turns in space: linear ones are so in rotation vectors alone, so that rules read them where accelerations
+    /// have led wherever positions are curved.
+    const ROTARY: bool = false;
     /// Whether a body inside takes loads in its own axes.
     const OWN_AXES: bool = false;
 

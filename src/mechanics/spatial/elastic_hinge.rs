@@ -8,7 +8,7 @@ use super::{Acceleration, Frame, Joint, JointMotion, Linear, Rotation, Spatial, 
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::spatial::algebra::{Columns, cross, zero};
+use crate::relation::spatial::algebra::{Columns, Symmetric3, cross, zero};
 use crate::relation::spatial::{BallGain, Couple, Full, Point, Rigid, Slides};
 use crate::relation::{Absent, Closures, Symmetric, Term};
 use crate::scalar::Scalar;
@@ -97,6 +97,13 @@ impl<T: Scalar, D, L> ElasticHinge<RotarySpring<T, D>, L> {
     }
 }
 
+impl<R, L> ElasticHinge<R, L> {
+    /// What resists relative rotation, and displacements.
+    pub(crate) fn parts(&self) -> (&R, &L) {
+        (&self.rotary, &self.linear)
+    }
+}
+
 impl<R> ElasticHinge<R> {
     /// With a law of the user's own between points that coincide, see [`RotaryLaw`].
     pub fn with(law: R) -> Self {
@@ -128,6 +135,15 @@ pub struct Place<'a, T> {
     pub state: (&'a Rotation<T>, &'a [T; 3]),
     /// Where laws are read in an implicit sweep.
     pub reading: Reading<'a, Rotation<T>, [T; 3]>,
+}
+
+impl<T: Scalar> Place<'_, T> {
+    /// K̂ of a law, inertial axes.
+    #[inline(always)]
+    pub fn stiffness(&self, law: &impl RotaryLaw<T>, springs: Implicit<T::Real>) -> Symmetric3<T> {
+        let Reading { position, rate, .. } = self.reading;
+        law.pivot(position, rate, springs).turned(&self.attitude.times(&position.inverse().matrix()))
+    }
 }
 
 /// How the rule of a sweep treats the spring of a ball.
@@ -172,12 +188,10 @@ impl<T: Scalar> BallRule<T> for Implicit<T::Real> {
         outer: Full<T, C>,
         law: &impl RotaryLaw<T>,
         drive: impl Term<Vector3<T>>,
-        Place { attitude, reading, .. }: Place<'_, T>,
+        place: Place<'_, T>,
         bias: Vector3<T>,
     ) -> (Full<T, C>, BallGain<T, C>) {
-        let pivot = law
-            .pivot(reading.position, reading.rate, self)
-            .turned(&attitude.times(&reading.position.inverse().matrix()));
+        let (pivot, Place { attitude, reading, .. }) = (place.stiffness(law, self), place);
         let torque = drive.add_to(attitude.apply(law.torque(reading.position, reading.rate)));
         let led = attitude.apply(Vector3::from(*reading.acceleration));
         let (relation, gain) = outer.sprung(pivot.apply_onto(led, torque), pivot);
@@ -192,6 +206,7 @@ impl<T: Scalar, R: RotaryLaw<T>> Joint<T> for ElasticHinge<R> {
     type Sets = One;
 
     const LINEAR: bool = R::LINEAR;
+    const ROTARY: bool = true;
 
     fn still() -> (Rotation<T>, [T; 3]) {
         (Rotation::identity(), [T::zero(); 3])

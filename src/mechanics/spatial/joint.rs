@@ -35,6 +35,8 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
 
     /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
+    /// Whether one of its laws resists turns.
+    const ROTARY: bool = false;
 
     /// The position of an unturned joint, and the rates of one at rest.
     fn still() -> (Self::Position, Self::Rate);
@@ -115,6 +117,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
     type Per<X: Copy> = <J::Sets as Sets>::Per<X>;
 
     const LINEAR: bool = <J as Joint<T>>::LINEAR;
+    const ROTARY: bool = <J as Joint<T>>::ROTARY;
 
     fn still() -> (<J as Joint<T>>::Position, <J as Joint<T>>::Rate) {
         <J as Joint<T>>::still()

@@ -10,7 +10,7 @@ use super::{Acceleration, ElasticHinge, Frame, Joint, JointMotion, Rotation, Spa
 use crate::element::{Condense, Given, Implicit, InJoint, Posture, Reading, Springs, Sweep};
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::spatial::algebra::{Columns, centripetal, cross, cross_onto, zero};
+use crate::relation::spatial::algebra::{Columns, Factor3, centripetal, cross, cross_onto, zero};
 use crate::relation::spatial::{BallGain, Full, Relation, Rigid};
 use crate::relation::{Absent, Closures};
 use crate::scalar::Scalar;
@@ -54,8 +54,19 @@ impl<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>> Linear<T, X, 
 
     /// K̂ along the axes.
     #[inline(always)]
-    fn pivots(&self, [x, y, z]: [T; 3], [u, v, w]: [T; 3], springs: Implicit<T::Real>) -> Vector3<T> {
+    pub(super) fn pivots(&self, [x, y, z]: [T; 3], [u, v, w]: [T; 3], springs: Implicit<T::Real>) -> Vector3<T> {
         Vector3::new(self.x.pivot(x, u, springs), self.y.pivot(y, v, springs), self.z.pivot(z, w, springs))
+    }
+
+    /// Point mass (kg) at the outboard point.
+    #[inline(always)]
+    pub(crate) fn lumped(&self) -> T {
+        self.lumped
+    }
+
+    /// The laws along the axes.
+    pub(crate) fn laws(&self) -> (&X, &Y, &Z) {
+        (&self.x, &self.y, &self.z)
     }
 
     fn energy(&self, [x, y, z]: [T; 3]) -> T {
@@ -70,12 +81,20 @@ impl<T: Scalar, X: SpringLaw<T>, Y: SpringLaw<T>, Z: SpringLaw<T>> Linear<T, X, 
     feature = "serde",
     serde(bound(
         serialize = "BallGain<T, C>: serde::Serialize",
-        deserialize = "BallGain<T, C>: serde::Deserialize<'de>"
+        deserialize = "BallGain<T, C>: serde::Deserialize<'de>, T: Scalar"
     ))
 )]
 pub struct LinearGains<T: Copy, C: Closures> {
-    rotation: BallGain<T, C>,
-    displacement: BallGain<T, C>,
+    pub(super) rotation: BallGain<T, C>,
+    pub(super) displacement: BallGain<T, C>,
+    /// The pivot of the displacement, where costates ask for it.
+    #[cfg_attr(feature = "serde", serde(skip, default = "no_factor"))]
+    pub(super) factor: Factor3<T>,
+}
+
+/// No pivot yet.
+fn no_factor<T: Scalar>() -> Factor3<T> {
+    Factor3::of_number(T::zero())
 }
 
 impl<T, R, X, Y, Z> ElasticHinge<R, Linear<T, X, Y, Z>>
@@ -118,12 +137,13 @@ where
     type Sets = Two;
 
     const LINEAR: bool = R::LINEAR && X::LINEAR && Y::LINEAR && Z::LINEAR;
+    const ROTARY: bool = true;
 
     fn still() -> (Self::Position, Self::Rate) {
         (([T::zero(); 3], Rotation::identity()), ([T::zero(); 3], [T::zero(); 3]))
     }
     fn kept<C: Closures>() -> LinearGains<T, C> {
-        LinearGains { rotation: BallGain::blank(), displacement: BallGain::blank() }
+        LinearGains { rotation: BallGain::blank(), displacement: BallGain::blank(), factor: no_factor() }
     }
     fn is_finite<C: Closures>(kept: &LinearGains<T, C>) -> bool {
         kept.rotation.is_finite() && kept.displacement.is_finite()
@@ -252,7 +272,7 @@ where
         let (force, led) = (self.linear.force(place, sliding), follows.then(|| Vector3::from(led.0)));
         let pivots = |springs| self.linear.pivots(place, sliding, springs);
         let (relation, displacement) = springs.slide(relation, inboard, force, led, pivots);
-        *kept = LinearGains { rotation, displacement };
+        (kept.rotation, kept.displacement) = (rotation, displacement);
         relation.carried(*arm, *linear)
     }
 }

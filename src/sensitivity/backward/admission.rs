@@ -59,6 +59,7 @@ where
         self.method.fault().map_or(Ok(()), |fault| Err(Error::new(fault)))?;
         // Where such laws were read stands in the stage, but for a prediction.
         if Steps::<S, R, C, P, M, L>::FOLLOWS
+            && !Steps::<S, R, C, P, M, L>::STAYS
             && M::REMEMBERS
             && System::<S, R, C, P>::CLOSED > 0
             && self.method.sweeps(1) < 2

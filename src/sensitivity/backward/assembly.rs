@@ -120,7 +120,7 @@ where
         projection.rates[0].set(&start.rate);
         self.steps.sweep(None, None, self.steps.rule.springs::<S::Scalar>(0, none), time, stage, slope);
         self.steps.project(time, stage, projection);
-        self.steps.pull_back_projection((time, none), (stage, &start.position), projection, gradient);
+        self.steps.pull_back_projection((time, none), (stage, &start.position, None), projection, gradient);
         if let Some(room) = &self.steps.room {
             gradient.start.position.add(&room.of_stage);
         }

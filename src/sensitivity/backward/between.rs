@@ -205,7 +205,7 @@ where
         cost(motion, gradient)?;
         if let Some(projection) = projection {
             let none = RealOf::<S>::zero();
-            self.pull_back_projection((motion.time, none), (stage, &stage.position), projection, gradient);
+            self.pull_back_projection((motion.time, none), (stage, &stage.position, None), projection, gradient);
             if let Some(room) = &self.room {
                 gradient.start.position.add(&room.of_stage);
             }

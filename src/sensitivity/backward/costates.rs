@@ -58,7 +58,16 @@ where
         if let (true, Some(projection)) = (Self::CLOSED > 0, &record.projection) {
             let stage = &record.stages.as_ref()[last - 1];
             let place = if last == 1 { &past.position } else { &stage.position };
-            self.pull_back_projection((past.time + step, step), (stage, place), projection, gradient);
+            // Laws that stay where a stage is free were read there.
+            let mut again = Self::STAYS.then(|| self.again(stage));
+            if let Some(again) = &mut again {
+                self.remember(past, step, record.accelerations.as_ref(), &mut again.free);
+            }
+            let free = again.as_ref().map(|again| &again.free);
+            self.pull_back_projection((past.time + step, step), (stage, place, free), projection, gradient);
+            if again.is_some() {
+                self.again = again;
+            }
         }
         self.of_position.as_mut()[last].set(&gradient.start.position);
         self.of_rate.as_mut()[last].set(&gradient.start.rate);

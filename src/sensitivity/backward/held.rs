@@ -47,6 +47,8 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     pub(super) of_stage: E::Rate,
     /// Costates of its rates, which laws that are not linear read.
     pub(super) of_speed: E::Rate,
+    /// Costates of where it was free, where laws that stay there were read.
+    pub(super) of_free: (E::Rate, E::Rate),
     pub(super) on_bodies: E::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: E::Store<PerJoint<S::InJoint>>,
     pub(super) at_ends: E::Store<PerLoop<S::AtEnds>>,
@@ -123,6 +125,7 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
             of_rate: zero.clone(),
             of_stage: zero.clone(),
             of_speed: zero.clone(),
+            of_free: (zero.clone(), zero.clone()),
             zero,
             still: elements.store::<Positions>(()),
             on_bodies: elements.store::<PerBody<_>>(on_body),

@@ -18,7 +18,8 @@
 //! ```
 //!
 //! with K̂ = B k + Γ c by the law's slopes there, so that F has second derivatives. A prediction without accelerations is geometry alone: such laws
-//! are read at free then.
+//! are read at free then. A linear law of turns in space is linear in a rotation vector alone: along curved positions it is read so, too, but for
+//! rules that remember, by which it is read at free.
 //!
 //! The geometry of a stage's first sweep follows the stage before, that of a step's the motion at its start; of a rule that
 //! [remembers](super::memory) it is a prediction without accelerations. Where something is held or closed, that of each further sweep may be
@@ -56,8 +57,11 @@ where
     pub(super) const RESTORED: bool = M::RESTORES && Self::CLOSED > 0;
     /// Whether rules sum up coordinates of the step, and positions are curved; a rule that remembers displaces positions one after the other.
     pub(super) const CHARTED: bool = Self::CURVED && !M::REMEMBERS;
-    /// Whether laws are read where the last sweep has led.
-    pub(super) const FOLLOWS: bool = M::IMPLICIT && !<Elements<S, R, C> as Shape<S>>::LINEAR;
+    /// Whether laws are read where the last sweep has led, or, of turns in space, where they are free.
+    pub(super) const FOLLOWS: bool =
+        M::IMPLICIT && (!<Elements<S, R, C> as Shape<S>>::LINEAR || <Elements<S, R, C> as Shape<S>>::ROTARY);
+    /// Whether these are read where they are free: by a rule that remembers, where all laws are linear.
+    pub(super) const STAYS: bool = M::REMEMBERS && <Elements<S, R, C> as Shape<S>>::LINEAR;
 
     /// Room, made once.
     pub(super) fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
@@ -71,7 +75,7 @@ where
         (row, sweeps): (usize, usize),
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        slopes: &[RateOf<S, R, C>],
+        (slopes, stages): (&[RateOf<S, R, C>], &[StageOf<S, R, C, P>]),
         (free, led, mut between): (
             &mut Place<S, R, C>,
             &mut RateOf<S, R, C>,
@@ -89,11 +93,13 @@ where
         for sweep in 0..sweeps {
             // A prediction without accelerations, or where they lead.
             let predicted = M::REMEMBERS && sweep == 0;
-            let before = || row.checked_sub(1).and_then(|before| slopes.get(before));
-            let by = if sweep > 0 { Some(&*slope) } else { before() };
-            let by = by.filter(|_| !predicted).unwrap_or(&self.zero);
+            let before = row.checked_sub(1).filter(|_| !predicted && sweep == 0);
+            let last = if sweep > 0 { &*slope } else { &self.zero };
+            let by = before.and_then(|before| slopes.get(before)).unwrap_or(last);
             if Self::FOLLOWS {
-                led.set(by);
+                let last = if sweep > 0 { Self::found(stage, slope) } else { &self.zero };
+                let found = before.and_then(|row| Some(Self::found(stages.get(row)?, slopes.get(row)?)));
+                led.set(if Self::STAYS { &self.zero } else { found.unwrap_or(last) });
             }
             if predicted {
                 stage.position.drift_0(&past.position, (step, &past.rate));
@@ -109,12 +115,17 @@ where
                 stage.position.clone_from(between.place());
                 stage.rate.set(between.rate());
             }
-            self.sweep(None, Some((&*free, &*led, predicted)), springs, time, stage, slope);
+            self.sweep(None, Some((&*free, &*led, predicted || Self::STAYS)), springs, time, stage, slope);
             if Self::CHARTED {
                 stage.acceleration.set(slope);
                 stage.position.inverse_retract_acceleration(&past.position, &stage.rate, slope);
             }
         }
+    }
+
+    /// The accelerations that a sweep has found, where those of the step's coordinates may be others.
+    fn found<'a>(stage: &'a StageOf<S, R, C, P>, slope: &'a RateOf<S, R, C>) -> &'a RateOf<S, R, C> {
+        if Self::CHARTED { &stage.acceleration } else { slope }
     }
 
     /// Where an acceleration leads from where a stage is free, once that has been found.
@@ -172,7 +183,9 @@ where
         let mut again = self.again(&record.stages.as_ref()[row]);
         let (slopes, rest) = record.accelerations.as_mut().split_at_mut(row);
         let [slope, ..] = rest else { return };
-        let (sweeps, stage) = (self.rule.sweeps(row), &mut record.stages.as_mut()[row]);
+        let sweeps = self.rule.sweeps(row);
+        let (stages, rest) = record.stages.as_mut().split_at_mut(row);
+        let [stage, ..] = rest else { return };
         let mut between = None;
         if const { Self::RESTORED } {
             between = self.between.take();
@@ -181,7 +194,7 @@ where
             (row, sweeps),
             past,
             step,
-            slopes,
+            (slopes, stages),
             (&mut again.free, &mut again.led, between.as_mut()),
             (stage, slope),
         );
@@ -212,6 +225,10 @@ where
         again.of_free.1.set(&self.zero);
         again.of_geometry.0.set(&self.zero);
         again.of_geometry.1.set(&self.zero);
+        if let (true, Some(room)) = (Self::STAYS, &self.room) {
+            again.of_free.0.set(&room.of_free.0);
+            again.of_free.1.set(&room.of_free.1);
+        }
         let mut between = None;
         if const { Self::RESTORED } {
             between = self.between.take();
@@ -220,9 +237,10 @@ where
             let Again { free, read, stage, slope, of_free, of_geometry, led, of_read, of_led, .. } = &mut again;
             // The last sweep is known, but not where it was free, nor what led there.
             let known = sweep == last && !Self::FOLLOWS;
-            let (sweeps, slopes) = (if known { 0 } else { sweep }, record.accelerations.as_ref());
+            let sweeps = if known { 0 } else { sweep };
+            let kept = (record.accelerations.as_ref(), record.stages.as_ref());
             let room = (&mut *free, &mut *led, between.as_mut());
-            self.sweeps((row, sweeps), past, step, slopes, room, (&mut *stage, &mut *slope));
+            self.sweeps((row, sweeps), past, step, kept, room, (&mut *stage, &mut *slope));
             let kept = (&record.stages.as_ref()[row], &record.accelerations.as_ref()[row]);
             let (stage, slope) = if sweep == last { kept } else { (&*stage, &*slope) };
             if sweep < last {
@@ -232,7 +250,7 @@ where
                     self.lead((past, step), row, free, slope, (place, rate));
                     self.project(time, stage, between);
                     self.exchange(row, gradient);
-                    self.pull_back_projection((time, step), (stage, &stage.position), between, gradient);
+                    self.pull_back_projection((time, step), (stage, &stage.position, None), between, gradient);
                     self.exchange(row, gradient);
                     if Self::CHARTED {
                         self.unlead((past, row), (&between.places[0], &between.rates[0]), gradient);
@@ -249,9 +267,6 @@ where
                     of_geometry.1.add(of_speed);
                 }
                 self.of_acceleration.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
-                if Self::FOLLOWS {
-                    self.of_acceleration.add(of_led);
-                }
             }
             if let Some(sum) = &mut self.of_own {
                 // By the geometry of the sweep after this one, and below by what laws add to `of_free`.
@@ -263,6 +278,10 @@ where
             if Self::CHARTED {
                 self.of_second.set(&self.of_acceleration);
                 stage.position.transposed_acceleration(&past.position, &mut self.of_acceleration);
+            }
+            if Self::FOLLOWS && !Self::STAYS && (sweep < last || row + 1 < M::STAGES) {
+                // Of the sweep after this one, in this stage or the next.
+                self.of_acceleration.add(of_led);
             }
             self.pull_back_stage(None, (row, false), time, (stage, slope), gradient);
             let restored = if sweep == last { row + 1 == M::STAGES } else { M::RESTORES };
@@ -276,12 +295,13 @@ where
             let predicted = M::REMEMBERS && sweep == 1;
             if Self::FOLLOWS {
                 of_led.set(led);
-                led.mix_2(&self.zero, (one, of_led), (-one, slope));
+                led.mix_2(&self.zero, (one, of_led), (-one, Self::found(stage, slope)));
                 of_read.0.set(&self.zero);
                 of_read.1.set(&self.zero);
                 of_led.set(&self.zero);
             }
-            let at = if predicted { (&free.0, &free.1, &*led) } else { (&stage.position, &stage.rate, &*led) };
+            let stays = predicted || Self::STAYS;
+            let at = if stays { (&free.0, &free.1, &*led) } else { (&stage.position, &stage.rate, &*led) };
             let (w, of_position, of_rate) = (&self.of_acceleration, &mut of_free.0, &mut of_free.1);
             let of_at = (&mut of_read.0, &mut of_read.1, &mut *of_led);
             let stores = (&read.0, &read.1, w, &mut gradient.joints, &mut *of_position, &mut *of_rate, at, of_at);
@@ -290,7 +310,7 @@ where
             if let Some(sum) = &mut self.of_own {
                 *sum += by_own((&*of_position, &*of_rate), slope) + walk.of_size;
             }
-            if Self::FOLLOWS && predicted {
+            if Self::FOLLOWS && stays {
                 of_free.0.add(&of_read.0);
                 of_free.1.add(&of_read.1);
             } else if Self::FOLLOWS {
@@ -324,9 +344,6 @@ where
             again.of_free.0.add(of_place);
             again.of_free.1.add(of_speed);
             again.of_before.mix_2(&self.zero, (in_position, of_place), (in_rate, of_speed));
-            if Self::FOLLOWS {
-                again.of_before.add(&again.of_led);
-            }
         }
         if let (Some(sum), Some(before), false) = (&mut self.of_own, row.checked_sub(1), M::REMEMBERS) {
             let (of_geometry, slopes) =

@@ -98,8 +98,8 @@ pub use tape::Tape;
 ///
 /// In space `Rod`, `RigidBody` with its mass centre, axes of inertia and outboard end anywhere, `PointMass`, `Ball`, `Weld`, and `Revolute`,
 /// `Prismatic`, `Cylindrical` and `Universal` with or without a `Spring` or a law of the user's own ([`Custom`](crate::planar::Custom); where
-/// there are two laws, each of three numbers or less), by explicit rules [`ElasticBall`](crate::spatial::ElasticBall) and a
-/// [`RotaryLaw`](crate::spatial::RotaryLaw) of the user's own of nine numbers or less, generic over the scalar and
+/// there are two laws, each of three numbers or less), `ElasticHinge` with a rotary spring, with linear springs or laws of three numbers or
+/// less, and, alone, with a [`RotaryLaw`](crate::spatial::RotaryLaw) of the user's own of nine numbers or less, generic over the scalar and
 /// [`lift!`](crate::lift!)ed, composed in the same ways, also
 /// in loops that a `Ball`, a `Weld` or a `Revolute` closes, from a `Pinned`, `Clamped` or `Hinged` root, or a `Free` one, to tips that are
 /// free, or `Pinned`, `Clamped` or `Hinged` at a place that does not move; of projections and initial coordinates holds what was said of the
@@ -111,6 +111,9 @@ pub use tape::Tape;
 /// In axes of bodies ([`robot`](crate::robot)) gradients go through hinges and slides with a `Spring`, `DryFriction`, `Stops`, a tuple of these, six numbers in
 /// all, or a law of the user's own, through links, and through flanges to all that was said; by masses, mass centres, tensors, places and turns of
 /// joints, reflected inertias. What a type says to be zero has no derivative.
+///
+/// Joints in all of these may be [`Driven`](crate::planar::Driven) by a law that can be lifted: its numbers are parameters, and the time of an
+/// event in such a scene has no gradient.
 ///
 /// The ground of a root may [move](crate::planar::Moving), as long as nothing is held and no loop closes: parameters of its motion are not among the
 /// derivatives, and are refused where the gradient is asked for along them.

@@ -16,7 +16,7 @@
 use super::GradientOf;
 use super::held::{Room, add, opposite};
 use super::metric::metric;
-use super::record::{Record, StageOf};
+use super::record::{Place, Record, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, total};
@@ -154,19 +154,23 @@ where
         }
     }
 
-    /// From the costates after a projection to those before it, in a step (s) at a time; those of the stage, which stood at a place, stay in
-    /// the room.
+    /// From the costates after a projection to those before it, in a step (s) at a time; those of the stage, which stood at a place, and those
+    /// of where it was free, if laws were read there, stay in the room.
     #[allow(clippy::type_complexity)] // two in one argument
     pub(super) fn pull_back_projection(
         &mut self,
         clock: (RealOf<S>, RealOf<S>),
-        stage: (&StageOf<S, R, C, P>, &PositionOf<S, R, C>),
+        stage: (&StageOf<S, R, C, P>, &PositionOf<S, R, C>, Option<&Place<S, R, C>>),
         projection: &Projection<S, Elements<S, R, C>>,
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let Some(room) = &mut self.room else { return };
         room.of_stage.set(&self.zero);
         room.of_speed.set(&self.zero);
+        if Self::STAYS {
+            room.of_free.0.set(&self.zero);
+            room.of_free.1.set(&self.zero);
+        }
         let Projection { places, moves, rates, changes } = projection;
         for rate in rates[..*changes].iter().rev() {
             let Some(room) = &mut self.room else { continue };
@@ -194,7 +198,7 @@ where
         level: Level,
         (place, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
         (time, step): (RealOf<S>, RealOf<S>),
-        (stage, position): (&StageOf<S, R, C, P>, &PositionOf<S, R, C>),
+        (stage, position, free): (&StageOf<S, R, C, P>, &PositionOf<S, R, C>, Option<&Place<S, R, C>>),
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let Some(room) = &mut self.room else { return };
@@ -261,7 +265,10 @@ where
             if const { M::IMPLICIT } {
                 let weights = self.rule.own::<S::Scalar>(step);
                 let of_laws = (&mut *of_position, &mut *of_rate);
-                let (led, of_led) = ((position, &stage.rate), (&mut room.of_stage, &mut room.of_speed));
+                let (led, of_led) = match free {
+                    Some((position, rate)) => ((position, rate), (&mut room.of_free.0, &mut room.of_free.1)),
+                    None => ((position, &stage.rate), (&mut room.of_stage, &mut room.of_speed)),
+                };
                 let pair = (&*correction, &*solved);
                 let by_size =
                     metric::<S, _>(elements, weights, pair, zero, &mut gradient.joints, of_laws, (led, of_led));

@@ -9,11 +9,13 @@ mod ends;
 mod felt;
 mod floating;
 mod inertial;
+mod linear_hinge;
 mod loads;
 mod loops;
 mod read;
 mod reversing;
 mod revolute;
+mod rotary;
 mod steps;
 mod struts;
 mod weld;
@@ -23,6 +25,7 @@ pub use inertial::{Base, Inertial};
 use ends::TIP;
 pub(crate) use felt::Felt;
 pub use inertial::{per_vector, swept};
+use linear_hinge::ALONG;
 pub use read::{BODY, numbers};
 pub use steps::Step;
 
@@ -206,6 +209,8 @@ pub struct OfJoint<T> {
     pub(crate) law: [T; NUMBERS],
     /// By the place on the inboard body, of joints that have one, in axes of that; of a rotary law by what numbers it has beyond those.
     pub(crate) place: Vector3<T>,
+    /// The numbers of laws along three axes, three each.
+    linear: [T; 3 * ALONG],
 }
 
 impl<T: Scalar> Reversed for Spatial<T> {
@@ -233,7 +238,8 @@ impl<T: Scalar> Reversed for Spatial<T> {
     }
     fn of_nothing() -> (Base<T>, [T; BODY], OfJoint<T>) {
         let (turn, place) = (zero(), zero());
-        let of_joint = OfJoint { turn, more: [T::zero(); 2], law: [T::zero(); NUMBERS], place };
+        let of_joint =
+            OfJoint { turn, more: [T::zero(); 2], law: [T::zero(); NUMBERS], place, linear: [T::zero(); 3 * ALONG] };
         (Base::null(), [T::zero(); BODY], of_joint)
     }
 }

@@ -5,6 +5,12 @@ use super::*;
 use catena::nalgebra::Vector3;
 use catena::spatial::{RotaryLaw, Rotation};
 
+/// Without optimisation these scenes over jets are too much for the stack of a test.
+fn with_room(test: fn()) {
+    let thread = std::thread::Builder::new().stack_size(1 << 26).spawn(test).expect("a thread");
+    thread.join().expect("gradients of jets");
+}
+
 /// Numbers of two bodies, gravity, two springs, and a law of loads.
 fn numbers() -> Vec<f64> {
     let mut parameters = bodies(2);
@@ -19,58 +25,91 @@ const KINDS: Kinds =
     &[("bodies", 26), ("gravity", 3), ("springs", 13), ("axis", 3), ("rod", 1), ("tip", 3), ("law", 6)];
 
 /// One after the other, in an arm, before and after balls and hinges, and as the last joint.
+macro_rules! chains {
+    ($method:expr, $steps:expr, $h:expr) => {
+        gradients!(
+            &format!("elastic balls, {:?}", $method),
+            KINDS,
+            numbers(),
+            [true, true, true, false, true, true],
+            7,
+            $method,
+            $steps,
+            $h,
+            |x| {
+                let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+                let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+                let first = ElasticHinge::rotary(vector(29)).damped_about(vector(32)).resting_at(vector(35));
+                let second = ElasticHinge::rotary(vector(38)).damped(x(41));
+                let plain = ElasticHinge::rotary(vector(38));
+                let arm = Branch((Ball, of(1)));
+                let hinge = Revolute::about(vector(42));
+                let rod = Rod::new(x(45), x(45), x(45), x(45) * x(45), x(45));
+                let chain = (first, of(0), arm, second, of(1), hinge, of(0), Ball, rod, plain, of(1));
+                System::new(Clamped::at(vector(46), Rotation::identity()), chain, Free)
+                    .unwrap()
+                    .with_gravity(vector(26))
+            },
+            under(6, |y| { Medium::of(y, 49) })
+        )
+    };
+}
+
 #[test]
 fn elastic_balls_have_the_gradients_of_jets() {
-    gradients!(
-        "elastic balls",
-        KINDS,
-        numbers(),
-        [true, true, true, false, true, true],
-        7,
-        Rk4,
-        3,
-        0.04,
-        |x| {
-            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
-            let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
-            let first = ElasticHinge::rotary(vector(29)).damped_about(vector(32)).resting_at(vector(35));
-            let second = ElasticHinge::rotary(vector(38)).damped(x(41));
-            let plain = ElasticHinge::rotary(vector(38));
-            let arm = Branch((Ball, of(1)));
-            let hinge = Revolute::about(vector(42));
-            let rod = Rod::new(x(45), x(45), x(45), x(45) * x(45), x(45));
-            let chain = (first, of(0), arm, second, of(1), hinge, of(0), Ball, rod, plain, of(1));
-            System::new(Clamped::at(vector(46), Rotation::identity()), chain, Free).unwrap().with_gravity(vector(26))
-        },
-        under(6, |y| { Medium::of(y, 49) })
-    );
+    chains!(Rk4, 3, 0.04);
+}
+
+/// By rules whose pivots know springs.
+#[test]
+fn elastic_balls_have_the_gradients_of_jets_by_implicit_rules() {
+    with_room(|| {
+        chains!(Sdirk4::new(), 2, 0.03);
+        chains!(GeneralizedAlpha::new(0.8), 3, 0.02);
+        chains!(GeneralizedAlpha::new(0.8).with_sweeps(3), 2, 0.02);
+    });
 }
 
 /// In both arms of a loop, and before a tip that is held.
+macro_rules! closed {
+    ($method:expr, $steps:expr, $h:expr) => {
+        gradients!(
+            &format!("elastic balls in a loop, {:?}", $method),
+            KINDS,
+            numbers(),
+            [true, true, true, true, true, false],
+            8,
+            $method,
+            $steps,
+            $h,
+            |x| {
+                let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+                let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
+                let first = ElasticHinge::rotary(vector(29)).damped_about(vector(32)).resting_at(vector(35));
+                let second = ElasticHinge::rotary(vector(38)).damped(x(41));
+                let network = Network::new((first, of(0), Ball, of(1)), (second, of(1)), Ball);
+                let rod = Rod::new(x(45), x(45), x(45), x(45) * x(45), x(45));
+                let chain = (of(1), network, first, of(0), second, of(1), Revolute::about(vector(42)), rod);
+                let root = Clamped::at([0.0; 3].map(N::constant), Rotation::identity());
+                System::new(root, chain, Pinned::at(vector(46))).unwrap().with_gravity(vector(26))
+            },
+            under(6, |y| { Medium::of(y, 49) })
+        )
+    };
+}
+
 #[test]
 fn elastic_balls_in_closed_scenes_have_the_gradients_of_jets() {
-    gradients!(
-        "elastic balls in a loop",
-        KINDS,
-        numbers(),
-        [true, true, true, true, true, false],
-        8,
-        Rk4,
-        2,
-        0.02,
-        |x| {
-            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
-            let vector = |first: usize| [0, 1, 2].map(|k| x(first + k));
-            let first = ElasticHinge::rotary(vector(29)).damped_about(vector(32)).resting_at(vector(35));
-            let second = ElasticHinge::rotary(vector(38)).damped(x(41));
-            let network = Network::new((first, of(0), Ball, of(1)), (second, of(1)), Ball);
-            let rod = Rod::new(x(45), x(45), x(45), x(45) * x(45), x(45));
-            let chain = (of(1), network, first, of(0), second, of(1), Revolute::about(vector(42)), rod);
-            let root = Clamped::at([0.0; 3].map(N::constant), Rotation::identity());
-            System::new(root, chain, Pinned::at(vector(46))).unwrap().with_gravity(vector(26))
-        },
-        under(6, |y| { Medium::of(y, 49) })
-    );
+    closed!(Rk4, 2, 0.02);
+}
+
+#[test]
+fn elastic_balls_in_closed_scenes_have_the_gradients_of_jets_by_implicit_rules() {
+    with_room(|| {
+        closed!(Sdirk4::new(), 2, 0.02);
+        closed!(GeneralizedAlpha::new(0.8), 2, 0.02);
+        closed!(GeneralizedAlpha::new(0.8).with_sweeps(1), 2, 0.02);
+    });
 }
 
 /// A spring that grows with the square of the angle, and a damper with that of the rate.
@@ -83,8 +122,16 @@ impl<T: Scalar<Real = f64>> RotaryLaw<T> for Hardening<T> {
         let square = |v: Vector3<T>| v.x * v.x + v.y * v.y + v.z * v.z;
         angle * (-self.0 * (T::constant(1.0) + square(angle))) - rate * (self.1 * square(rate))
     }
-    fn pivot(&self, _: &Rotation<T>, _: &[T; 3], _: catena::extend::Implicit<f64>) -> catena::spatial::Symmetric3<T> {
-        catena::spatial::Symmetric3::of_diagonal(Vector3::repeat(self.0))
+    fn pivot(
+        &self,
+        position: &Rotation<T>,
+        rate: &[T; 3],
+        springs: catena::extend::Implicit<f64>,
+    ) -> catena::spatial::Symmetric3<T> {
+        let square = |v: [T; 3]| v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        let stiffness = self.0 * (T::constant(1.0) + square(position.log()));
+        let pivot = stiffness.scale(springs.position) + (self.1 * square(*rate)).scale(springs.rate);
+        catena::spatial::Symmetric3::of_diagonal(Vector3::repeat(pivot))
     }
     fn energy(&self, _: &Rotation<T>) -> T {
         T::constant(0.0)
@@ -101,28 +148,36 @@ impl<T: Scalar, U: Scalar> catena::Lift<T, U> for Hardening<T> {
     }
 }
 
-/// A law of the user's own goes backward by itself.
+/// A law of the user's own goes backward by itself, also where implicit rules read it where accelerations have led.
+macro_rules! hardening {
+    ($method:expr, $steps:expr, $h:expr) => {{
+        let mut parameters = bodies(2);
+        parameters.extend([4.0, 0.7]);
+        gradients!(
+            &format!("own rotary laws, {:?}", $method),
+            &[("bodies", 26), ("gravity", 3), ("law", 2)],
+            parameters,
+            [true, true],
+            3,
+            $method,
+            $steps,
+            $h,
+            |x| {
+                let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
+                let joint = ElasticHinge::with(Hardening(x(29), x(30)));
+                let root = Clamped::at([0.0; 3].map(N::constant), Rotation::identity());
+                let gravity = [0, 1, 2].map(|k| x(26 + k));
+                System::new(root, (joint, of(0), joint, of(1)), Free).unwrap().with_gravity(gravity)
+            }
+        )
+    }};
+}
+
 #[test]
 fn rotary_laws_of_ones_own_have_the_gradients_of_jets() {
-    let mut parameters = bodies(2);
-    parameters.extend([4.0, 0.7]);
-    gradients!(
-        "own rotary laws",
-        &[("bodies", 26), ("gravity", 3), ("law", 2)],
-        parameters,
-        [true, true],
-        3,
-        Dop853,
-        2,
-        0.05,
-        |x| {
-            let of = |i: usize| body(core::array::from_fn(|k| x(13 * i + k)));
-            let joint = ElasticHinge::with(Hardening(x(29), x(30)));
-            let root = Clamped::at([0.0; 3].map(N::constant), Rotation::identity());
-            let gravity = [0, 1, 2].map(|k| x(26 + k));
-            System::new(root, (joint, of(0), joint, of(1)), Free).unwrap().with_gravity(gravity)
-        }
-    );
+    hardening!(Dop853, 2, 0.05);
+    hardening!(Sdirk4::new(), 2, 0.04);
+    hardening!(GeneralizedAlpha::new(0.8), 3, 0.03);
 }
 
 /// At rest, straight, without a turn: where rotation vectors are zero.

@@ -356,6 +356,7 @@ mod implicit;
 mod joints;
 mod lanes;
 mod laws;
+mod linear_hinges;
 mod loads;
 mod loops;
 mod samples;
