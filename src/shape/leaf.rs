@@ -69,9 +69,6 @@ pub trait Joint<S: Space>: Copy + 'static {
     /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool;
 
-    /// Whether one of its laws resists turns in space.
-    const ROTARY: bool = false;
-
     /// Angles whose sines the joint wants before bodies are posed: one or none.
     const SINES: usize = 0;
     /// The angle whose sine the joint wants.
@@ -176,7 +173,10 @@ macro_rules! leaf {
         $crate::shape::leaf!(AsBody, InBody, body, in_body, 1, 0, true, false, <Self as $crate::shape::Body<$S>>::OWN_AXES, 0, false, [$($generics)*] $Leaf, $S);
     };
     (joint [$($generics:tt)*] $Leaf:ty: $S:ty) => {
-        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, <Self as $crate::shape::Joint<$S>>::ROTARY, false, <Self as $crate::shape::Joint<$S>>::SINES, false, [$($generics)*] $Leaf, $S);
+        $crate::shape::leaf!(joint [$($generics)*] $Leaf: $S, rotary: false);
+    };
+    (joint [$($generics:tt)*] $Leaf:ty: $S:ty, rotary: $rotary:expr) => {
+        $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, <Self as $crate::shape::Joint<$S>>::LINEAR, $rotary, false, <Self as $crate::shape::Joint<$S>>::SINES, false, [$($generics)*] $Leaf, $S);
     };
     (flange [$($generics:tt)*] $Leaf:ty: $S:ty) => {
         $crate::shape::leaf!(AsJoint, InJoint, joint, in_joint, 0, 1, true, false, false, 0, true, [$($generics)*] $Leaf, $S);

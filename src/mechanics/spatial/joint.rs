@@ -35,7 +35,7 @@ pub trait Joint<T: Scalar>: Copy + Debug + 'static {
 
     /// Whether no law of the joint's springs and dampers has to be read where the last sweep of an implicit rule has led.
     const LINEAR: bool = true;
-    /// Whether one of its laws resists turns.
+    /// Whether one of its laws resists turns: [`ROTARY`](crate::shape::Shape::ROTARY).
     const ROTARY: bool = false;
 
     /// The position of an unturned joint, and the rates of one at rest.
@@ -117,7 +117,6 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
     type Per<X: Copy> = <J::Sets as Sets>::Per<X>;
 
     const LINEAR: bool = <J as Joint<T>>::LINEAR;
-    const ROTARY: bool = <J as Joint<T>>::ROTARY;
 
     fn still() -> (<J as Joint<T>>::Position, <J as Joint<T>>::Rate) {
         <J as Joint<T>>::still()
@@ -189,7 +188,7 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Spatial<T>> for J {
 /// Makes spatial joints elements.
 macro_rules! joint {
     ([$($generics:tt)*] $Joint:ty, $absolute:literal) => {
-        crate::shape::leaf!(joint [$($generics)*] $Joint: Spatial<T>);
+        crate::shape::leaf!(joint [$($generics)*] $Joint: Spatial<T>, rotary: <Self as Joint<T>>::ROTARY);
 
         impl<$($generics)*> Element<Spatial<T>> for $Joint {
             type Position = <Self as Joint<T>>::Position;

@@ -140,3 +140,35 @@ fn events_of_driven_joints_are_refused() -> Result<(), catena::Error> {
     assert!(matches!(fault, Some(catena::Fault::Unsupported { .. })), "{fault:?}");
     Ok(())
 }
+
+/// A law of seven numbers, of which costates know six: said, not left out.
+#[test]
+fn laws_of_motion_have_six_numbers_or_less() -> Result<(), catena::Error> {
+    #[derive(Clone, Copy)]
+    struct Many<T>([T; 7]);
+    impl<T: Scalar<Real = f64>> MotionLaw<T> for Many<T> {
+        fn at(&self, time: f64) -> [T; 3] {
+            [self.0[6].scale(time), self.0[6], T::constant(0.0)]
+        }
+    }
+    impl<T: Scalar, U: Scalar> catena::Lift<T, U> for Many<T> {
+        type Over = Many<U>;
+        fn lift(&self, number: &mut impl FnMut(T) -> U) -> Many<U> {
+            Many(self.0.map(number))
+        }
+    }
+    macro_rules! scene {
+        ($number:expr) => {{
+            let (rod, law) = (Rod::uniform($number(0.5), $number(1.0)), Many([$number(0.7); 7]));
+            System::new(Clamped::origin(), (Driven::new(Revolute::smooth(), law), rod, Pin, rod), Free)?
+        }};
+    }
+    let scene = scene!(|x: f64| x);
+    let mut states = [scene.at_rest(&[-1.0])?; 2];
+    let (mut backward, start) = (scene.backward(Rk4), states[0]);
+    backward.run(&start, 0.01, 1, &[], &mut states)?;
+    let gradient = backward.gradient(&[], &states, &mut [], |_, _, by| by.add(&[1.0], &[0.0]))?;
+    let fault = gradient.along(&scene!(Jet::<f64, 8>::of)).err().map(|error| error.fault);
+    assert!(matches!(fault, Some(catena::Fault::Count { expected: 6, given: 7 })), "{fault:?}");
+    Ok(())
+}
