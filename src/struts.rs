@@ -184,22 +184,78 @@ impl<T, const D: usize, const N: usize, L> Struts<T, D, N, L> {
 /// Places and velocities of the ends of struts.
 pub(crate) type Ends<T, const D: usize, const N: usize> = [[[SVector<T, D>; 2]; 2]; N];
 
+/// How many lists of struts there are.
+const LISTS: usize = 64;
+/// Of so few struts a body looks at all, or at none: they stay in registers.
+const FEW: usize = 4;
+
+/// Struts by the bodies that they are on: a body looks at no others but those of bodies whose numbers differ from its own by a multiple of
+/// [`LISTS`].
+#[derive(Clone, Copy, Debug)]
+struct ByBody<const N: usize> {
+    /// Bit k is set where a strut ends at such bodies.
+    bodies: u64,
+    /// Their first strut, with the end that is there: the number of the strut twice, and one more of the second end.
+    first: [u16; LISTS],
+    /// After each, the next.
+    next: [[u16; 2]; N],
+}
+
+impl<const N: usize> ByBody<N> {
+    /// Beyond all struts.
+    const NONE: u16 = u16::MAX;
+
+    #[inline(always)]
+    fn of<T, const D: usize>(struts: &[Strut<T, D>; N]) -> Self {
+        let mut lists = Self { bodies: 0, first: [Self::NONE; LISTS], next: [[Self::NONE; 2]; N] };
+        for k in (0..N).rev() {
+            let [from, to] = struts[k].ends.each_ref().map(|end| match end {
+                End::Body(body, _) => Some(body % LISTS),
+                End::Ground(_) => None,
+            });
+            // A strut stands in a list once.
+            for (e, list) in [(1, to.filter(|_| from != to)), (0, from)] {
+                let Some(list) = list else { continue };
+                if const { N <= FEW } {
+                    lists.bodies |= 1 << list;
+                } else {
+                    lists.next[k][e] = core::mem::replace(&mut lists.first[list], (2 * k + e) as u16);
+                }
+            }
+        }
+        lists
+    }
+
+    /// Numbers of struts that may be on a body.
+    #[inline(always)]
+    fn on(&self, body: usize) -> impl Iterator<Item = usize> {
+        let mut all = 0..if self.bodies >> (body % LISTS) & 1 != 0 { N } else { 0 };
+        let mut next = self.first[body % LISTS];
+        core::iter::from_fn(move || {
+            if const { N <= FEW } {
+                return all.next();
+            }
+            let k = usize::from(next / 2);
+            next = self.next.get(k)?[usize::from(next % 2)];
+            Some(k)
+        })
+    }
+}
+
 /// What has been seen of struts.
 #[derive(Clone, Copy, Debug)]
 pub struct Sight<T, const D: usize, const N: usize> {
     pub(crate) ends: Ends<T, D, N>,
     /// Forces (N) on first ends, of struts both of whose ends have been seen.
     forces: [SVector<T, D>; N],
-    /// Bit k is set where a strut ends at a body whose number is k but for a multiple of 64: most bodies of a long chain have none, and look at
-    /// no strut.
-    bodies: u64,
+    by_body: ByBody<N>,
 }
 
 impl<T, const D: usize, const N: usize> Sight<T, D, N> {
-    /// Whether struts may end at a body.
+    /// Numbers of struts that may be on a body.
     #[inline(always)]
-    fn may_be_on(&self, body: usize) -> bool {
-        self.bodies >> (body % 64) & 1 != 0
+    pub(crate) fn on(&self, body: usize) -> impl Iterator<Item = usize> {
+        self.by_body.on(body)
     }
 }
 
@@ -215,6 +271,7 @@ where
     const SURVEYS: bool = true;
 
     fn nothing() -> (WrenchOf<S>, L::InJoint) {
+        const { assert!(N < u16::MAX as usize / 2, "one list has 32766 struts at most") }
         const { assert!(!L::YIELDS, "beside struts loads do not yield: take contacts as `plain` ones") }
         const { assert!(!L::BY_COORDINATE, "beside struts joints are numbered from the root's on: take `Loads::efforts`") }
         (Wrench::none(), L::nothing().1)
@@ -223,30 +280,29 @@ where
     fn unseen(&self) -> Self::Seen {
         // Until a body has been seen it is nowhere.
         let (nowhere, still) = (SVector::repeat(S::Scalar::literal(f64::NAN)), SVector::repeat(S::Scalar::zero()));
-        let (mut ends, mut bodies) = ([[[nowhere; 2]; 2]; N], 0);
+        let mut ends = [[[nowhere; 2]; 2]; N];
         for (end, seen) in self.struts.iter().flat_map(|strut| &strut.ends).zip(ends.as_flattened_mut()) {
-            match end {
-                End::Ground(place) => *seen = [SVector::from(*place), still],
-                End::Body(k, _) => bodies |= 1 << (k % 64),
+            if let End::Ground(place) = end {
+                *seen = [SVector::from(*place), still];
             }
         }
-        (Sight { ends, forces: [nowhere; N], bodies }, self.others.unseen())
+        (Sight { ends, forces: [nowhere; N], by_body: ByBody::of(&self.struts) }, self.others.unseen())
     }
     #[cfg_attr(optimised, inline(always))]
     fn survey(&self, (sight, others): &mut Self::Seen, body: usize, motion: &S::BodyMotion) {
-        if sight.may_be_on(body) {
-            for ((strut, ends), force) in self.struts.iter().zip(&mut sight.ends).zip(&mut sight.forces) {
-                for (end, seen) in strut.ends.iter().zip(&mut *ends) {
-                    if let End::Body(k, at) = end
-                        && *k == body
-                    {
-                        *seen = S::point(motion, *at);
-                    }
+        let Sight { ends, forces, by_body } = sight;
+        for k in by_body.on(body) {
+            let (strut, ends) = (&self.struts[k], &mut ends[k]);
+            for (end, seen) in strut.ends.iter().zip(&mut *ends) {
+                if let End::Body(k, at) = end
+                    && *k == body
+                {
+                    *seen = S::point(motion, *at);
                 }
-                // Bodies are seen in the order of their numbers.
-                if strut.last_body() == Some(body) {
-                    *force = strut.force(*ends);
-                }
+            }
+            // Bodies are seen in the order of their numbers.
+            if strut.last_body() == Some(body) {
+                forces[k] = strut.force(*ends);
             }
         }
         if L::SURVEYS {
@@ -262,14 +318,12 @@ where
         motion: &S::BodyMotion,
     ) -> WrenchOf<S> {
         let mut sum = Wrench::none();
-        if sight.may_be_on(body) {
-            for (strut, force) in self.struts.iter().zip(&sight.forces) {
-                for (end, sign) in strut.ends.iter().zip([1.0, -1.0]) {
-                    if let End::Body(k, at) = end
-                        && *k == body
-                    {
-                        sum = sum + S::pull(motion, *at, *force * S::Scalar::literal(sign));
-                    }
+        for strut in sight.on(body) {
+            for (end, sign) in self.struts[strut].ends.iter().zip([1.0, -1.0]) {
+                if let End::Body(k, at) = end
+                    && *k == body
+                {
+                    sum = sum + S::pull(motion, *at, sight.forces[strut] * S::Scalar::literal(sign));
                 }
             }
         }

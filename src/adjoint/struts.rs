@@ -17,7 +17,7 @@ use crate::loading::{Load, LoadLaw, Loading, Loads, Unloaded};
 use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;
 use crate::space::FrameOf;
-use crate::struts::{End, Ends, Points, Strut, dot, is_absent, norm};
+use crate::struts::{End, Points, Sight, Strut, dot, is_absent, norm};
 use nalgebra::SVector;
 use num_traits::Zero;
 
@@ -126,16 +126,19 @@ impl<T: Scalar, const D: usize> Power<T, D> {
 /// Sees virtual velocities of ends on the body met last.
 pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
     struts: &[Strut<S::Scalar, D>; N],
+    sight: &Sight<S::Scalar, D, N>,
     ends: &mut EndsStirred<S::Scalar, D, N>,
     body: usize,
     frame: &FrameOf<S>,
     stirred: (S::Vector, S::Angular),
 ) {
-    for (end, velocity) in struts.iter().flat_map(|strut| strut.ends).zip(ends.as_flattened_mut()) {
-        if let End::Body(k, at) = end
-            && k == body
-        {
-            *velocity = S::stirred_at(frame, at, stirred);
+    for strut in sight.on(body) {
+        for (end, velocity) in struts[strut].ends.iter().zip(&mut ends[strut]) {
+            if let End::Body(k, at) = *end
+                && k == body
+            {
+                *velocity = S::stirred_at(frame, at, stirred);
+            }
         }
     }
 }
@@ -144,13 +147,14 @@ pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
 /// end, which is on a body, gives those that both have in common.
 pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
     struts: &[Strut<S::Scalar, D>; N],
-    (seen, stirred): (&Ends<S::Scalar, D, N>, &EndsStirred<S::Scalar, D, N>),
+    (sight, stirred): (&Sight<S::Scalar, D, N>, &EndsStirred<S::Scalar, D, N>),
     body: usize,
     (frame, stirring): (&FrameOf<S>, S::Angular),
     of_struts: &mut [ByStrut<S::Scalar, D>; N],
 ) -> S::Felt {
     let mut felt = S::Felt::null();
-    for (((strut, seen), stirred), by) in struts.iter().zip(seen).zip(stirred).zip(of_struts) {
+    for k in sight.on(body) {
+        let (strut, seen, stirred, by) = (&struts[k], &sight.ends[k], &stirred[k], &mut of_struts[k]);
         for (e, end) in strut.ends.iter().enumerate() {
             let End::Body(k, at) = *end else { continue };
             if k != body {
@@ -212,10 +216,10 @@ macro_rules! struts {
                 let PullLoads { law, seen: ((seen, ()), ends), surveys, time, body, level, of_law } = walk;
                 let ((of_struts, of_law), struts) = (of_law, law.struts());
                 if *surveys {
-                    stir::<$Space<T>, $D, N>(struts, ends, *body, frame, stirred);
+                    stir::<$Space<T>, $D, N>(struts, seen, ends, *body, frame, stirred);
                     return Felt::null();
                 }
-                let felt = felt::<$Space<T>, $D, N>(struts, (&seen.ends, ends), *body, (frame, stirred.1), of_struts);
+                let felt = felt::<$Space<T>, $D, N>(struts, (seen, ends), *body, (frame, stirred.1), of_struts);
                 if const { !<L::Law as BodyLaw<$Space<T>>>::ON } {
                     return felt;
                 }

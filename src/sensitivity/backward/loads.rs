@@ -170,8 +170,8 @@ where
     /// ([`Struts::and`](crate::struts::Struts::and)): derivatives by their numbers are in
     /// [`Gradient::by_struts`](crate::sensitivity::Gradient::by_struts), and along whatever makes them in
     /// [`Gradient::along_struts`](crate::sensitivity::Gradient::along_struts). A strut reads the motions of both bodies: gradients walk over all
-    /// bodies once more. Run and gradient take the instructions of 6.1 plain runs under the same struts (RK4, twenty rods on pins, ten struts;
-    /// x86-64-v3), in space of 5.6 (seven rigid bodies on revolutes, six struts).
+    /// bodies once more. Run and gradient take the instructions of 7.0 plain runs under the same struts (RK4, twenty rods on pins, ten struts;
+    /// x86-64-v3).
     ///
     /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`](crate::sensitivity::Gradient::along).
     /// A law that does not fit the scene ([`LoadLaw::check`](crate::loading::LoadLaw::check)) is refused by whatever runs or differentiates.

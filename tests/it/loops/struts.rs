@@ -171,3 +171,37 @@ fn struts_that_are_not_there_have_derivatives() -> Result<(), Error> {
     assert_eq!((energy.re, energy.eps), (0.0, 0.0));
     Ok(())
 }
+
+/// Struts at bodies whose numbers differ by 64, one of them between two such, one between points of one body: as many as have lists, and in
+/// lists of a few.
+#[test]
+fn many_struts_do_what_they_do_a_few_at_a_time() -> Result<(), Error> {
+    use planar::*;
+    const N: usize = 71;
+    let rod = Rod::uniform(0.1, 0.2);
+    let scene = System::new(Pinned::origin(), (rod, [(Pin, rod); N - 1]), Free)?.with_gravity(9.81);
+    let angles: Vec<f64> = (0..N).map(|k| (0.3 * k as f64).sin() - 0.8).collect();
+    let rates: Vec<f64> = (0..N).map(|k| (0.7 * k as f64).cos()).collect();
+    let start = scene.with_rates(scene.at_rest(&angles)?, &rates)?;
+    let strut = |a: usize, b: usize| {
+        Strut::between((a, [0.03, 0.01]), (b, [0.1, -0.02])).with_stiffness(30.0).with_damping(0.4).with_length(0.2)
+    };
+    let ground = |a: usize| Strut::to_ground((a, [0.1, 0.0]), [0.4, 0.7]).with_stiffness(12.0).with_length(0.5);
+    let [a, b, c, d, e, f] = [strut(1, 65), strut(65, 30), strut(66, 2), strut(5, 5), ground(1), ground(65)];
+    macro_rules! under {
+        ($struts:expr) => {{
+            let (found, mut list) = (scene.with_accelerations(start, &$struts)?, vec![]);
+            catena::system::Rate::<f64>::visit(found.acceleration(), &mut |x| list.push(x));
+            list
+        }};
+    }
+    let together = under!(Struts::of([a, b, c, d, e, f]));
+    let apart = under!(Struts::of([a, b, c]).and(Struts::of([d, e, f])));
+    let size = apart.iter().fold(0.0_f64, |size, x: &f64| size.max(x.abs()));
+    assert!(size > 1.0);
+    together.iter().zip(&apart).for_each(|(one, other)| near(*one, *other, 1e-11 * size));
+    // And nothing of them is left out.
+    let without = under!(Struts::of([a, b, c, d, e]));
+    assert!(without.iter().zip(&apart).any(|(one, other)| (one - other).abs() > 1e-3 * size));
+    Ok(())
+}
