@@ -195,7 +195,7 @@ const FEW: usize = 4;
 struct ByBody<const N: usize> {
     /// Bit k is set where a strut ends at such bodies.
     bodies: u64,
-    /// Their first strut, with the end that is there: the number of the strut twice, and one more of the second end.
+    /// The first strut on them, with the end that is there: the number of the strut twice, and one more of the second end.
     first: [u16; LISTS],
     /// After each, the next.
     next: [[u16; 2]; N],
