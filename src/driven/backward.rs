@@ -17,7 +17,7 @@ use crate::mirror::Clock;
 use crate::scalar::{Jet, Scalar};
 
 /// A number with derivatives by those of a law.
-type Numbered<T> = Jet<T, NUMBERS>;
+type Read<T> = Jet<T, NUMBERS>;
 
 /// A law of motion through which costates go backward.
 #[diagnostic::on_unimplemented(
@@ -33,11 +33,11 @@ pub trait ReversibleMotion<T: Scalar>: MotionLaw<T> {
 
 impl<T: Scalar, F> ReversibleMotion<T> for F
 where
-    F: MotionLaw<T> + Lift<T, Numbered<T>, Over: MotionLaw<Numbered<T>>>,
+    F: MotionLaw<T> + Lift<T, Read<T>, Over: MotionLaw<Read<T>>>,
 {
     fn pull_back(&self, clock: &Clock<T::Real>, costates: [T; 3], of_numbers: &mut [T]) {
         let law = Driven::new((), seeded(self, 0).0);
-        for (costate, told) in costates.into_iter().zip(law.told::<Numbered<T>>(clock)) {
+        for (costate, told) in costates.into_iter().zip(law.told::<Read<T>>(clock)) {
             of_numbers.iter_mut().zip(told.eps).for_each(|(sum, slope)| *sum += costate * slope);
         }
     }
@@ -71,7 +71,7 @@ macro_rules! driven {
         driven!(@ $Space, [C: Closures, $($bounds)*] $Joint, Stir<T, C>,
             |driven, walk, inner: Stirred<T>, (x, y, p, q, gains, (clock, ..), kept, _)| {
                 let ([position, rate, acceleration], mut none) = (driven.told(clock), T::zero());
-                // Nothing but this reads what a torque of the drive would do.
+                // What a torque in the joint does to the cost is nothing: it is not added up.
                 let motion = (&position, &rate, &acceleration, &mut none);
                 driven.joint().take(walk, inner, (x, y, p, q, gains, motion, kept, &mut Additive::null()))
             });

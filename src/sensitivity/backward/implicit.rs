@@ -39,7 +39,7 @@ use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::shape::{Positions, Shape, Takes};
-use crate::system::{Elements, MotionOf, PositionOf, RateOf};
+use crate::system::{Elements, MotionOf, RateOf};
 use crate::walks::strain::Strain;
 
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>
@@ -121,49 +121,6 @@ where
                 stage.position.inverse_retract_acceleration(&past.position, &stage.rate, slope);
             }
         }
-    }
-
-    /// The accelerations that a sweep has found, where those of the step's coordinates may be others.
-    fn found<'a>(stage: &'a StageOf<S, R, C, P>, slope: &'a RateOf<S, R, C>) -> &'a RateOf<S, R, C> {
-        if Self::CHARTED { &stage.acceleration } else { slope }
-    }
-
-    /// Where an acceleration leads from where a stage is free, once that has been found.
-    fn lead(
-        &self,
-        (past, step): (&MotionOf<S, R, C, P>, RealOf<S>),
-        row: usize,
-        free: &Place<S, R, C>,
-        by: &RateOf<S, R, C>,
-        (position, rate): (&mut PositionOf<S, R, C>, &mut RateOf<S, R, C>),
-    ) {
-        let [own, _] = self.rule.own::<S::Scalar>(step);
-        if !Self::CHARTED {
-            follow::<S, Elements<S, R, C>>((&free.0, &free.1), own, by, &self.zero, (position, rate));
-            return;
-        }
-        // Coordinates of the step add up, positions do not.
-        let real = RealOf::<S>::of;
-        position.drift_2(
-            &past.position,
-            (real(M::node(row)) * step, &past.rate),
-            (step * step, &self.sum),
-            (own[0], by),
-        );
-        rate.mix_1(&free.1, (own[1], by));
-        position.retract_rate(&past.position, rate);
-    }
-
-    /// From the costates of where a row was led to those of its coordinates of the step.
-    fn unlead(
-        &mut self,
-        (past, row): (&MotionOf<S, R, C, P>, usize),
-        (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
-        gradient: &mut GradientOf<S, R, C, L>,
-    ) {
-        let of_here = (&mut self.of_position.as_mut()[row], &mut self.of_rate.as_mut()[row]);
-        let (here, of_past) = ((rate, &self.zero), &mut gradient.start.position);
-        position.transposed_step(&past.position, here, &self.zero, of_here, of_past);
     }
 
     /// Exchanges the costates of a row for those of the motion.

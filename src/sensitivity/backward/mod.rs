@@ -10,6 +10,7 @@ mod costates;
 mod events;
 mod held;
 mod implicit;
+mod lead;
 mod linear;
 mod loads;
 mod memory;

@@ -9,7 +9,7 @@
 //!
 //! for a turn Ψ of what lies outboard takes u along and leaves ω_I, α_I and w_I. The [law](super::rotary) acts as a torque does.
 
-use super::rotary::{ReversibleRotary, TurnRule, strain};
+use super::rotary::{HingeRule, ReversibleRotary, add, strain};
 use super::{Outboard, Pulled, Stirred, Turning};
 use crate::adjoint::BodyLaw;
 use crate::element::{Element, Reading};
@@ -44,7 +44,7 @@ impl<T: Scalar, R: ReversibleRotary<T>> Takes<Spatial<T>, Orient> for ElasticHin
     }
 }
 
-impl<T: Scalar, C: Closures, R: ReversibleRotary<T>, By: TurnRule<T>> Takes<Spatial<T>, Factor<C, By>>
+impl<T: Scalar, C: Closures, R: ReversibleRotary<T>, By: HingeRule<T>> Takes<Spatial<T>, Factor<C, By>>
     for ElasticHinge<R>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -153,7 +153,6 @@ impl<T: Scalar, R: ReversibleRotary<T>> Takes<Spatial<T>, Strain<T>> for Elastic
         (_, _, w, sums, _, _, led, of_led): Of<'_, Spatial<T>, Strain<T>, Self>,
     ) {
         let [q, v, a] = strain(&self.rotary, walk, led, w, sums);
-        let add = |sum: &mut [T; 3], more: [T; 3]| sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more);
         add(of_led.0, q);
         add(of_led.1, v);
         add(of_led.2, a);

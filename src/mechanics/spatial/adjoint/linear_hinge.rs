@@ -13,7 +13,7 @@
 //! as of three [slides](super::steps) in a row.
 
 use super::inertial::swept;
-use super::rotary::{ReversibleRotary, TurnRule, strain};
+use super::rotary::{HingeRule, ReversibleRotary, add, strain};
 use super::{Felt, OfJoint, Outboard, Pulled, Stirred, Turning};
 use crate::adjoint::BodyLaw;
 use crate::adjoint::laws::{self, ReversibleLaw};
@@ -46,11 +46,6 @@ impl<T: Scalar> OfJoint<T> {
         let (two, three) = rest.split_at_mut(ALONG);
         [one, two, three]
     }
-}
-
-/// Adds to three numbers.
-fn add<T: Scalar>(sum: &mut [T; 3], more: impl Into<[T; 3]>) {
-    sum.iter_mut().zip(more.into()).for_each(|(sum, more)| *sum += more);
 }
 
 /// What each law does along its axis.
@@ -93,7 +88,7 @@ macro_rules! takes {
 
 takes!([] Orient, |hinge, _walk, turn: Turn<T>, (position, rate, x, y, p, q)| hinge.orient(position, rate, turn, x, y, p, q));
 
-takes!([C: Closures, By: TurnRule<T>] Factor<C, By>, |hinge, walk, outer: Outboard<T, C>,
+takes!([C: Closures, By: HingeRule<T>] Factor<C, By>, |hinge, walk, outer: Outboard<T, C>,
     ([outboard, inboard], [[linear, bias], [arm, _]], .., (position, rate, led), torque, kept, pivot)| {
     let reading = Reading { position: &led.0.1, rate: &led.1.1, acceleration: &led.2.1 };
     let place = Place { attitude: *outboard, state: (&position.1, &rate.1), reading };

@@ -19,7 +19,7 @@ use crate::mechanics::spatial::hinge_elimination::SlideRule;
 use crate::mechanics::spatial::{RotaryLaw, Rotation};
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::{Columns, Factor3, Symmetric3};
-use crate::relation::spatial::{BallGain, Couple, Full};
+use crate::relation::spatial::{BallGain, Couple, Full, Point};
 use crate::scalar::{Jet, Real, Scalar};
 use crate::walks::strain::Strain;
 use nalgebra::Vector3;
@@ -125,30 +125,16 @@ pub(super) fn strain<T: Scalar, L: ReversibleRotary<T>>(
     [of_turn, of_rate, of_change]
 }
 
-/// How the rule of a sweep eliminates a turn, and a displacement, with what other right-hand sides need.
-pub trait TurnRule<T: Scalar>: BallRule<T> + SlideRule<T> {
+/// How the rule of a sweep eliminates the turn and the displacement of a hinge with what other right-hand sides need.
+pub trait HingeRule<T: Scalar>: BallRule<T> + SlideRule<T> {
+    /// The pivot: an inertia, or that and the K̂ of springs.
+    fn pivot_of(self, inertia: Symmetric3<T>, stiffness: impl FnOnce(Implicit<T::Real>) -> Symmetric3<T>)
+    -> Factor3<T>;
+    /// What lies outboard of a ball.
+    fn beyond<C: Closures>(relation: Self::Out<C>) -> Outboard<T, C>;
+
     /// The relation with the turn eliminated against a law and a torque (inertial axes), its gain and its pivot; `bias` is the angular
     /// acceleration that rates alone cause.
-    fn turned_out<C: Closures>(
-        self,
-        outer: Outboard<T, C>,
-        law: &impl RotaryLaw<T>,
-        torque: Vector3<T>,
-        place: Place<'_, T>,
-        bias: Vector3<T>,
-    ) -> (Outboard<T, C>, BallGain<T, C>, Pivot<T>);
-    /// The relation with a displacement eliminated as [`SlideRule::slide`] does, its gain and its pivot.
-    fn slid_out<C: Closures>(
-        self,
-        outer: Full<T, C>,
-        axes: &Columns<T>,
-        force: Vector3<T>,
-        led: Option<Vector3<T>>,
-        pivots: impl Fn(Implicit<T::Real>) -> Vector3<T>,
-    ) -> (Full<T, C>, BallGain<T, C>, Factor3<T>);
-}
-
-impl<T: Scalar> TurnRule<T> for Explicit {
     #[cfg_attr(optimised, inline(always))]
     fn turned_out<C: Closures>(
         self,
@@ -159,11 +145,11 @@ impl<T: Scalar> TurnRule<T> for Explicit {
         bias: Vector3<T>,
     ) -> (Outboard<T, C>, BallGain<T, C>, Pivot<T>) {
         // The same factors as in the elimination: they are formed once.
-        let factor = outer.relation.angular.factor();
+        let factor = self.pivot_of(outer.relation.angular, |springs| place.stiffness(law, springs));
         let (relation, gain) = self.ball(outer.relation, law, Couple(torque), place, bias);
-        let torque = relation.torque.0;
-        (Outboard::of_ball(relation), gain, Pivot { factor, torque })
+        (Self::beyond(relation), gain, Pivot { factor, torque })
     }
+    /// The relation with a displacement eliminated as [`SlideRule::slide`] does, its gain and its pivot.
     fn slid_out<C: Closures>(
         self,
         outer: Full<T, C>,
@@ -172,36 +158,35 @@ impl<T: Scalar> TurnRule<T> for Explicit {
         led: Option<Vector3<T>>,
         pivots: impl Fn(Implicit<T::Real>) -> Vector3<T>,
     ) -> (Full<T, C>, BallGain<T, C>, Factor3<T>) {
-        let factor = outer.linear.factor();
+        let factor = self.pivot_of(outer.linear, |springs| Symmetric3::of_diagonal(pivots(springs)).turned(axes));
         let (relation, gain) = self.slide(outer, axes, force, led, pivots);
         (relation, gain, factor)
     }
 }
 
-impl<T: Scalar> TurnRule<T> for Implicit<T::Real> {
-    fn turned_out<C: Closures>(
-        self,
-        outer: Outboard<T, C>,
-        law: &impl RotaryLaw<T>,
-        torque: Vector3<T>,
-        place: Place<'_, T>,
-        bias: Vector3<T>,
-    ) -> (Outboard<T, C>, BallGain<T, C>, Pivot<T>) {
-        let factor = (outer.relation.angular + place.stiffness(law, self)).factor();
-        let (relation, gain) = self.ball(outer.relation, law, Couple(torque), place, bias);
-        (Outboard::rigid(relation), gain, Pivot { factor, torque })
+impl<T: Scalar> HingeRule<T> for Explicit {
+    #[inline(always)]
+    fn pivot_of(self, inertia: Symmetric3<T>, _: impl FnOnce(Implicit<T::Real>) -> Symmetric3<T>) -> Factor3<T> {
+        inertia.factor()
     }
-    fn slid_out<C: Closures>(
-        self,
-        outer: Full<T, C>,
-        axes: &Columns<T>,
-        force: Vector3<T>,
-        led: Option<Vector3<T>>,
-        pivots: impl Fn(Implicit<T::Real>) -> Vector3<T>,
-    ) -> (Full<T, C>, BallGain<T, C>, Factor3<T>) {
-        let stiffness = Symmetric3::of_diagonal(pivots(self)).turned(axes);
-        let factor = (outer.linear + stiffness).factor();
-        let (relation, gain) = self.slide(outer, axes, force, led, pivots);
-        (relation, gain, factor)
+    #[inline(always)]
+    fn beyond<C: Closures>(relation: Point<T, Couple<T>, C>) -> Outboard<T, C> {
+        Outboard::of_ball(relation)
     }
+}
+
+impl<T: Scalar> HingeRule<T> for Implicit<T::Real> {
+    #[inline(always)]
+    fn pivot_of(self, inertia: Symmetric3<T>, stiffness: impl FnOnce(Self) -> Symmetric3<T>) -> Factor3<T> {
+        (inertia + stiffness(self)).factor()
+    }
+    #[inline(always)]
+    fn beyond<C: Closures>(relation: Full<T, C>) -> Outboard<T, C> {
+        Outboard::rigid(relation)
+    }
+}
+
+/// Adds to three numbers.
+pub(super) fn add<T: Scalar>(sum: &mut [T; 3], more: impl Into<[T; 3]>) {
+    sum.iter_mut().zip(more.into()).for_each(|(sum, more)| *sum += more);
 }

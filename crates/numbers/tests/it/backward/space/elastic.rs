@@ -5,12 +5,6 @@ use super::*;
 use catena::nalgebra::Vector3;
 use catena::spatial::{RotaryLaw, Rotation};
 
-/// Without optimisation these scenes over jets are too much for the stack of a test.
-fn with_room(test: fn()) {
-    let thread = std::thread::Builder::new().stack_size(1 << 26).spawn(test).expect("a thread");
-    thread.join().expect("gradients of jets");
-}
-
 /// Numbers of two bodies, gravity, two springs, and a law of loads.
 fn numbers() -> Vec<f64> {
     let mut parameters = bodies(2);

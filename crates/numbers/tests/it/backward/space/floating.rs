@@ -3,12 +3,6 @@
 use super::loads::{MEDIUM, Medium};
 use super::*;
 
-/// Without optimisation these scenes over jets are too much for the stack of a test.
-fn with_room(test: fn()) {
-    let thread = std::thread::Builder::new().stack_size(1 << 26).spawn(test).expect("a thread");
-    thread.join().expect("gradients of jets");
-}
-
 /// Numbers of two bodies, gravity, an axis, a rod and a medium.
 fn numbers() -> Vec<f64> {
     let mut parameters = bodies(2);

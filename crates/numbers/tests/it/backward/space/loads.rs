@@ -44,12 +44,6 @@ impl<T: Scalar> Medium<T> {
     }
 }
 
-/// Without optimisation these scenes over jets are too much for the stack of a test.
-pub(super) fn with_room(test: fn()) {
-    let thread = std::thread::Builder::new().stack_size(1 << 26).spawn(test).expect("a thread");
-    thread.join().expect("gradients of jets");
-}
-
 /// All bodies and joints, a ball after a ball, an arm, a clamped root at a place: by all of it, and by the numbers of the law.
 #[test]
 fn trees_under_loads_have_the_gradients_of_jets() {

@@ -2,12 +2,6 @@
 
 use super::*;
 
-/// Without optimisation these scenes over jets are too much for the stack of a test.
-fn with_room(test: fn()) {
-    let thread = std::thread::Builder::new().stack_size(1 << 26).spawn(test).expect("a thread");
-    thread.join().expect("gradients of jets");
-}
-
 /// A window of four bodies on balls, behind a body, and before one on a hinge.
 #[test]
 fn loops_closed_by_balls_have_the_gradients_of_jets() {

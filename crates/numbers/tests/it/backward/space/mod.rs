@@ -45,6 +45,12 @@ fn weights(step: usize, last: usize) -> impl Iterator<Item = f64> {
     (0..).map(move |i| all * (1.0 + 0.1 * i as f64))
 }
 
+/// Runs what, without optimisation, is too much for the stack of a test: scenes of many elements over jets.
+fn with_room(test: fn()) {
+    let thread = std::thread::Builder::new().stack_size(1 << 26).spawn(test).expect("a thread");
+    thread.join().expect("gradients of jets");
+}
+
 /// A scene from numbers, run by fixed steps, as plain numbers backward and over jets by the rule itself: the gradient of a cost by all
 /// numbers. The scene's constructor takes each from `$number`, by its place in the list: parameters, the last of them those of a law of
 /// loads if there is one, then displacements from angles, rates, and torques, three a joint.

@@ -1,6 +1,6 @@
 //! Gradients of runs in space under struts beside a law of loads.
 
-use super::loads::{MEDIUM, Medium, with_room};
+use super::loads::{MEDIUM, Medium};
 use super::*;
 
 /// Numbers of a strut between bodies, and of one to the ground.
