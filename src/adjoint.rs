@@ -35,6 +35,7 @@ mod outboard;
 mod rigid;
 mod space;
 pub mod struts;
+mod ties;
 
 use crate::element::{Element, Level, Springs};
 use crate::ends::Tip;
@@ -48,10 +49,11 @@ use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
-pub use body_law::{BodyLaw, Burdened, OfLaw, ReversibleLoads, Surveyed};
+pub use body_law::{Beside, BodyLaw, Burdened, OfLaw, ReversibleLoads, Surveyed};
 pub use outboard::{Kind, Outboard};
 pub(crate) use rigid::passes;
 pub use space::{Costates, LoadCostates, Reversed, VirtualMotion};
+pub use ties::Ties;
 
 /// Elements that take all walks of the costate sweep.
 pub trait Reversible<S: Reversed, C: Closures, By: Springs<S::Scalar>>:

@@ -1,5 +1,6 @@
 //! Joints that move together: one follows another, q = r q′ + c, as gears, belts and grippers make it.
 
+mod backward;
 mod loads;
 mod placed;
 mod solve;
@@ -99,7 +100,8 @@ impl<T: Scalar> Tie<T> {
 /// own. The angle of a `Pin` is that of its body, so that it is refused.
 ///
 /// [`Fault::Shape`](crate::Fault::Shape) in a scene with vectors of other lengths; [`Fault::Unsupported`](crate::Fault::Unsupported) in equilibria, modes, transfer matrices and the scheme of
-/// [`paper`](crate::paper). Gradients backward and Taylor series do not compile with couplings; over numbers with derivatives they go forward.
+/// [`paper`](crate::paper). Runs go backward [under](crate::sensitivity::Backward::under) couplings where nothing is held or closed, by their
+/// [ratios](crate::sensitivity::Gradient::by_ratios), too. Taylor series do not compile with them.
 ///
 /// ```
 /// use catena::planar::*;
@@ -137,6 +139,11 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
 }
 
 impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
+    /// Ratios of the couplings.
+    pub(crate) fn ratios(&self) -> impl Iterator<Item = T> {
+        self.ties.iter().map(|tie| tie.ratio)
+    }
+
     /// A motion with followers where their leaders have them, and as fast.
     #[must_use]
     pub fn joined<P: Position<T>, C: Closures>(&self, mut motion: Motion<T, P, C>) -> Motion<T, P, C> {

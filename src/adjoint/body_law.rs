@@ -1,18 +1,19 @@
 //! What acts on bodies in runs that go backward.
 
-use super::Reversed;
-use crate::loading::{Load, LoadLaw, Loading, Loads};
+use super::{Reversed, Ties};
+use crate::loading::{Load, LoadLaw, Loading, Loads, Unloaded};
 use crate::relation::{Absent, Additive, Closures};
 use crate::shape::Takes;
 use crate::space::FrameOf;
 use crate::walks::burden::Burden;
 use crate::walks::pull_loads::{LAW, PullLoads};
 
-/// What acts on bodies: a law of time, number and motion of each, or [`Struts`](crate::struts::Struts) between them.
+/// What acts on bodies: a law of time, number and motion of each, or [`Struts`](crate::struts::Struts) between them; and
+/// [`Couplings`](crate::planar::Couplings) of joints.
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward under `{Self}`",
-    label = "neither a law of loads on bodies nor struts",
-    note = "it goes backward under a `LoadLaw` of each body's motion, and under `Struts`, alone or beside such a law: `Struts::of(..).and(Loads::none().on_bodies_by(..))`",
+    label = "no law of loads on bodies, struts or couplings",
+    note = "it goes backward under a `LoadLaw` of each body's motion, under `Struts` and under `Couplings`, alone or beside such a law: `Struts::of(..).and(Loads::none().on_bodies_by(..))`",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait BodyLaw<S: Reversed>: Copy {
@@ -22,6 +23,8 @@ pub trait BodyLaw<S: Reversed>: Copy {
     type OfNumbers: Clone;
     /// What is seen of virtual velocities of all bodies before costates are known: nothing, unless loads survey.
     type Stirred: Clone;
+    /// Ties between joints besides, if there are any.
+    type Ties: Ties<S>;
 
     /// Whether there is a load.
     const ON: bool = <Alone<S, Self> as Loading<S>>::ON;
@@ -34,6 +37,10 @@ pub trait BodyLaw<S: Reversed>: Copy {
     fn of_nothing() -> Self::OfNumbers;
     /// Nothing is stirred yet.
     fn unstirred() -> Self::Stirred;
+    /// The ties between joints.
+    fn ties(&self) -> Self::Ties;
+    /// Derivatives by the ratios of ties.
+    fn of_ratios(of_numbers: &mut Self::OfNumbers) -> &mut [S::Scalar];
     /// Derivatives by numbers of a law of one body's motion, and how many it has.
     fn listed(of_numbers: &Self::OfNumbers) -> &OfLaw<S::Scalar>;
 }
@@ -50,6 +57,7 @@ impl<S: Reversed, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> f
     type Beside<J: LoadLaw<S::JointMotion>> = Loads<L, J>;
     type OfNumbers = OfLaw<S::Scalar>;
     type Stirred = ();
+    type Ties = ();
 
     fn beside<J: LoadLaw<S::JointMotion>>(self, efforts: J) -> Loads<L, J> {
         Loads::none().on_bodies_by(self).in_joints_by(efforts)
@@ -58,8 +66,34 @@ impl<S: Reversed, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> f
         ([S::Scalar::null(); LAW], 0)
     }
     fn unstirred() {}
+    fn ties(&self) {}
+    fn of_ratios(_: &mut OfLaw<S::Scalar>) -> &mut [S::Scalar] {
+        &mut []
+    }
     fn listed(of_numbers: &OfLaw<S::Scalar>) -> &OfLaw<S::Scalar> {
         of_numbers
+    }
+}
+
+/// Loads on bodies alone, as they stand beside struts or couplings in runs that go backward.
+pub trait Beside<S: Reversed>: Loading<S> + Copy {
+    /// What acts on bodies.
+    type Law: BodyLaw<S, Ties = ()>;
+    /// The law.
+    fn law(&self) -> Self::Law;
+}
+
+impl<S: Reversed> Beside<S> for Unloaded {
+    type Law = Absent;
+    fn law(&self) -> Absent {
+        Absent
+    }
+}
+
+impl<S: Reversed, B: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> Beside<S> for Loads<B, Absent> {
+    type Law = B;
+    fn law(&self) -> B {
+        *self.bodies()
     }
 }
 

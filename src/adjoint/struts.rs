@@ -12,9 +12,8 @@
 //! more walk over bodies.
 
 use super::Reversed;
-use super::body_law::{BodyLaw, OfLaw};
-use crate::loading::{Load, LoadLaw, Loading, Loads, Unloaded};
-use crate::relation::{Absent, Additive};
+use super::body_law::OfLaw;
+use crate::relation::Additive;
 use crate::scalar::Scalar;
 use crate::space::FrameOf;
 use crate::struts::{End, Points, Sight, Strut, dot, is_absent, norm};
@@ -37,28 +36,6 @@ pub trait ReversiblePoints<const D: usize>: Points<D> + Reversed {
         stirring: Self::Angular,
         costates: [SVector<Self::Scalar, D>; 3],
     ) -> (Self::Felt, SVector<Self::Scalar, D>);
-}
-
-/// Loads that can act beside struts in runs that go backward: laws of each body's motion, or none.
-pub trait BesideStruts<S: Reversed>: Loading<S> + Copy {
-    /// What acts on bodies.
-    type Law: LoadLaw<S::BodyMotion, Value: Load<S>> + BodyLaw<S, OfNumbers = OfLaw<S::Scalar>>;
-    /// The law.
-    fn law(&self) -> Self::Law;
-}
-
-impl<S: Reversed> BesideStruts<S> for Unloaded {
-    type Law = Absent;
-    fn law(&self) -> Absent {
-        Absent
-    }
-}
-
-impl<S: Reversed, B: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BesideStruts<S> for Loads<B, Absent> {
-    type Law = B;
-    fn law(&self) -> B {
-        *self.bodies()
-    }
 }
 
 /// Derivatives of a cost by the numbers of a strut.
@@ -182,10 +159,15 @@ pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
 /// body's motion from them.
 macro_rules! struts {
     ($Space:ident, $D:literal) => {
-        impl<T: Scalar, L: BesideStruts<$Space<T>>, const N: usize> BodyLaw<$Space<T>> for Struts<T, $D, N, L> {
+        impl<T: Scalar, L, const N: usize> BodyLaw<$Space<T>> for Struts<T, $D, N, L>
+        where
+            L: Beside<$Space<T>>,
+            L::Law: LoadLaw<BodyMotion<T>, Value: Load<$Space<T>>> + BodyLaw<$Space<T>, OfNumbers = OfLaw<T>>,
+        {
             type Beside<J: LoadLaw<JointMotion<T>>> = Struts<T, $D, N, Loads<L::Law, J>>;
             type OfNumbers = OfStruts<T, $D, N>;
             type Stirred = EndsStirred<T, $D, N>;
+            type Ties = ();
 
             fn beside<J: LoadLaw<JointMotion<T>>>(self, efforts: J) -> Self::Beside<J> {
                 let others = Loads::none().on_bodies_by(self.others().law()).in_joints_by(efforts);
@@ -197,14 +179,30 @@ macro_rules! struts {
             fn unstirred() -> Self::Stirred {
                 [[SVector::repeat(T::zero()); 2]; N]
             }
+            fn ties(&self) {}
+            fn of_ratios(_: &mut Self::OfNumbers) -> &mut [T] {
+                &mut []
+            }
             fn listed((_, of_law): &Self::OfNumbers) -> &OfLaw<T> {
                 of_law
             }
         }
 
+        impl<T: Scalar, L, const N: usize> Beside<$Space<T>> for Struts<T, $D, N, L>
+        where
+            L: Loading<$Space<T>> + Copy,
+            Self: BodyLaw<$Space<T>, Ties = ()> + Loading<$Space<T>>,
+        {
+            type Law = Self;
+            fn law(&self) -> Self {
+                *self
+            }
+        }
+
         impl<T: Scalar, L, const N: usize> ReversibleLoads<$Space<T>> for Struts<T, $D, N, L>
         where
-            L: BesideStruts<$Space<T>, Law: ReversibleLoads<$Space<T>>>,
+            L: Beside<$Space<T>>,
+            L::Law: LoadLaw<BodyMotion<T>, Value: Load<$Space<T>>> + ReversibleLoads<$Space<T>, OfNumbers = OfLaw<T>>,
         {
             fn felt(
                 walk: &mut PullLoads<Self, $Space<T>>,

@@ -14,6 +14,10 @@ use num_traits::{One, Zero};
 /// By so many roundings followers may miss their leaders where a motion is closed.
 const ROUNDINGS: f64 = 8.0;
 
+/// So much larger than those expected are forces whose responses are found: what differences lose is a rounding of what moves without, for
+/// each share that is taken of a response, so that larger ones lose nothing, and smaller ones all that stiff springs hold back.
+const LARGER: f64 = 4096.0;
+
 /// What sweeps answer without couplings, and to the force of each.
 struct Answers<T: Scalar, V, const K: usize> {
     /// Accelerations without.
@@ -34,11 +38,10 @@ fn along<T: Scalar, V: Rate<T>, const K: usize>(sum: &mut V, responses: [V; K], 
 impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
     /// What sweeps answer.
     fn answers<V: Rate<T>>(&self, acceleration: &mut V, sweep: &mut impl FnMut(&Self, &mut V)) -> Answers<T, V, K> {
-        let one = T::Real::one();
+        let (one, larger) = (T::Real::one(), T::Real::of(LARGER));
         sweep(&self.pulling([T::zero(); K]), acceleration);
         let (free, missed) = (acceleration.clone(), self.missed(acceleration));
-        // Of forces that are as large as those sought no digits are lost in differences.
-        let sizes: [_; K] = core::array::from_fn(|k| self.ties[k].inertia * (one + missed[k].real().abs()));
+        let sizes: [_; K] = core::array::from_fn(|k| self.ties[k].inertia * (one + missed[k].real().abs()) * larger);
         let responses: [V; K] = core::array::from_fn(|k| {
             sweep(&self.pulling(unit(k, T::constant(sizes[k]))), acceleration);
             let mut response = free.clone();
@@ -60,10 +63,23 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
     }
 
     /// The shares of responses that undo what is missed.
-    fn solved<V: Rate<T>>(&self, responses: &[V; K], missed: [T; K]) -> [T; K] {
+    pub(super) fn solved<V: Rate<T>>(&self, responses: &[V; K], missed: [T; K]) -> [T; K] {
         let columns = responses.each_ref().map(|response| self.missed(response));
         let measures = core::array::from_fn(|k| self.moved(k, &responses[k]));
         solved(columns, measures, missed.map(|missed| -missed))
+    }
+
+    /// What forces λ exert in a joint.
+    pub(super) fn exerted(&self, joint: usize, forces: &[T; K]) -> T {
+        let mut effort = T::zero();
+        for (Tie { joints: [follower, leader], ratio, .. }, force) in self.ties.iter().zip(forces) {
+            if *follower == joint {
+                effort += *force;
+            } else if *leader == joint {
+                effort -= *ratio * *force;
+            }
+        }
+        effort
     }
 
     /// These loads with forces λ.
@@ -99,15 +115,7 @@ where
         self.others.on_body(seen, time, body, motion)
     }
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> EffortOf<S> {
-        let mut effort = S::Scalar::zero();
-        for (Tie { joints: [follower, leader], ratio, .. }, force) in self.ties.iter().zip(self.forces) {
-            if *follower == joint {
-                effort += force;
-            } else if *leader == joint {
-                effort -= *ratio * force;
-            }
-        }
-        S::of_efforts([effort, S::Scalar::zero(), S::Scalar::zero()])
+        S::of_efforts([self.exerted(joint, &self.forces), S::Scalar::zero(), S::Scalar::zero()])
             + S::of_efforts(self.others.in_joint(time, joint, motion).efforts())
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {

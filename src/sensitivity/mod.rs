@@ -67,6 +67,7 @@ mod along;
 mod along_in_space;
 mod along_robots;
 mod backward;
+mod couplings;
 mod forward;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub(crate) mod front;

@@ -5,9 +5,8 @@ use crate::adjoint::BodyLaw;
 use crate::adjoint::struts::{ByStrut, OfStruts, ReversiblePoints};
 use crate::element::Element;
 use crate::lift::Lift;
-use crate::scalar::Jet;
+use crate::scalar::{Jet, Scalar};
 use crate::struts::{Strut, Struts};
-use num_traits::Zero;
 
 impl<S, E, L, const D: usize, const N: usize> Gradient<S, E, Struts<S::Scalar, D, N, L>>
 where
@@ -50,18 +49,26 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     pub fn along_struts<const K: usize>(&self, struts: &[Strut<Jet<S::Scalar, K>, D>; N]) -> [S::Scalar; K] {
-        let mut sum = [S::Scalar::zero(); K];
-        for (strut, by) in struts.iter().zip(self.by_struts()) {
-            // In the order in which a strut is lifted.
-            let ByStrut { ends: [from, to], stiffness, damping, length } = by;
-            let mut list = from.iter().chain(to).chain([stiffness, damping, length]);
-            strut.lift(&mut |number| {
-                if let Some(by) = list.next() {
-                    sum.iter_mut().zip(number.eps).for_each(|(sum, part)| *sum += *by * part);
-                }
-                number.re
-            });
-        }
-        sum
+        along(self.by_struts(), struts)
     }
+}
+
+/// Derivatives by numbers of struts, along the seeds of the same over jets.
+pub(super) fn along<T: Scalar, const D: usize, const N: usize, const K: usize>(
+    by_struts: &[ByStrut<T, D>; N],
+    struts: &[Strut<Jet<T, K>, D>; N],
+) -> [T; K] {
+    let mut sum = [T::zero(); K];
+    for (strut, by) in struts.iter().zip(by_struts) {
+        // In the order in which a strut is lifted.
+        let ByStrut { ends: [from, to], stiffness, damping, length } = by;
+        let mut list = from.iter().chain(to).chain([stiffness, damping, length]);
+        strut.lift(&mut |number| {
+            if let Some(by) = list.next() {
+                sum.iter_mut().zip(number.eps).for_each(|(sum, part)| *sum += *by * part);
+            }
+            number.re
+        });
+    }
+    sum
 }

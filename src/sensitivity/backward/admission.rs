@@ -3,12 +3,13 @@
 use super::Backward;
 use super::rules::Staged;
 use super::steps::Steps;
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Ties};
 use crate::element::{Element, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
 use crate::loading::{EffortOf, Loading};
 use crate::relation::{Absent, Additive};
+use crate::scalar::Real;
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::walks::fits::fits;
@@ -44,8 +45,11 @@ where
         fits(self.steps.scene.elements(), &motion.position, &motion.rate)
     }
 
-    /// Refuses a motion whose tip is held, or one of whose loops is closed, twice in the same way, in which runs begin.
+    /// Refuses a motion whose tip is held, or one of whose loops is closed, twice in the same way, in which runs begin, and one in which joints
+    /// are not coupled as they are to be.
     pub(super) fn independent(&mut self, start: &MotionOf<S, R, C, P>) -> Result<(), Error> {
+        let ties = self.steps.loads.law.ties();
+        ties.suits(&start.position, &start.rate).map_err(|fault| Error::new(fault).at_time(start.time.as_f64()))?;
         if const { System::<S, R, C, P>::CLOSED == 0 } {
             return Ok(());
         }
@@ -71,7 +75,12 @@ where
             let what = "the gradient of a run on ground that moves where something is held or closed";
             return Err(Error::new(Fault::Unsupported { what }));
         }
+        if const { Steps::<S, R, C, P, M, L>::TIED && System::<S, R, C, P>::CLOSED > 0 } {
+            let what = "the gradient of a run whose joints are coupled where something is held or closed";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
         let (bodies, joints) = (self.steps.scene.elements().bodies(), self.steps.scene.joints());
+        self.steps.loads.law.ties().check(bodies, joints).map_err(Error::new)?;
         Loading::<S>::check(&self.steps.loads.law.beside(Absent), bodies, joints).map_err(Error::new)?;
         if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }
     }

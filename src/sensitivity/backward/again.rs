@@ -1,7 +1,7 @@
 //! Room for the sweeps of a stage of an implicit rule, and where their accelerations lead.
 
 use super::record::Stage;
-use crate::adjoint::Reversed;
+use crate::adjoint::{BodyLaw, Reversed, Ties};
 use crate::element::{Element, RealOf};
 use crate::ends::Tip;
 use crate::mirror::{Position, Rate};
@@ -11,12 +11,12 @@ use crate::system::Elements;
 use num_traits::Zero;
 
 /// Room for the sweeps of a stage.
-pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
+pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> {
     /// Positions and rates without the acceleration sought, and where laws are read.
     pub(super) free: (E::Position, E::Rate),
     pub(super) read: (E::Position, E::Rate),
     /// A sweep, and what it has found.
-    pub(super) stage: Stage<S, E, X>,
+    pub(super) stage: Stage<S, E, X, Y>,
     pub(super) slope: E::Rate,
     /// Costates of `free`; of the acceleration from which the geometry of the next stage set out; of geometries that are no more than where
     /// accelerations lead, or of the one that was predicted.
@@ -30,9 +30,9 @@ pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures> {
     pub(super) of_led: E::Rate,
 }
 
-impl<S: Reversed, E: Element<S>, X: Closures> Again<S, E, X> {
+impl<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> Again<S, E, X, Y> {
     /// Room, from that of a stage.
-    pub(super) fn new(place: E::Position, zero: &E::Rate, stage: &Stage<S, E, X>) -> Self {
+    pub(super) fn new(place: E::Position, zero: &E::Rate, stage: &Stage<S, E, X, Y>) -> Self {
         let motion = (place, zero.clone());
         Self {
             free: motion.clone(),
@@ -50,7 +50,7 @@ impl<S: Reversed, E: Element<S>, X: Closures> Again<S, E, X> {
 }
 
 /// The room of a scene.
-pub(super) type AgainOf<S, R, C, P> = Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;
+pub(super) type AgainOf<S, R, C, P, L> = Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures, <L as BodyLaw<S>>::Ties>;
 
 /// Where accelerations lead.
 pub(super) fn follow<S: Reversed, E: Element<S>>(

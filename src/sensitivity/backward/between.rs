@@ -12,7 +12,7 @@
 
 use super::GradientOf;
 use super::projection::Projection;
-use super::record::{Record, Stage, StageOf};
+use super::record::{RecordOf, Stage, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
@@ -27,14 +27,14 @@ use crate::system::{Elements, MotionOf, RateOf};
 use num_traits::Zero;
 
 /// Costates that motions between the ends of a step have left, and room for one of them.
-pub(super) struct Between<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> {
+pub(super) struct Between<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L: BodyLaw<S>> {
     /// Where the motion stands, and its sweep.
     pub(super) motion: MotionOf<S, R, C, P>,
-    stage: StageOf<S, R, C, P>,
+    stage: StageOf<S, R, C, P, L>,
     slope: RateOf<S, R, C>,
     projection: Option<Projection<S, Elements<S, R, C>>>,
     /// Stages that only dense output reads, in their rows.
-    stages: M::Rows<StageOf<S, R, C, P>>,
+    stages: M::Rows<StageOf<S, R, C, P, L>>,
     /// Of accelerations of stages.
     pub(super) of_slopes: M::Rows<RateOf<S, R, C>>,
     /// Of positions, rates and memory before the step, and of the coordinates of the step at its end, where positions are curved.
@@ -55,7 +55,7 @@ where
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     EffortOf<S>: Additive,
 {
-    pub(super) fn room_between(&self, record: &Record<S, Elements<S, R, C>, M, P::Closures>) -> Between<S, R, C, P, M> {
+    pub(super) fn room_between(&self, record: &RecordOf<S, R, C, P, M, L>) -> Between<S, R, C, P, M, L> {
         let rate = || self.zero.clone();
         let projection = (Self::CLOSED > 0).then(|| Projection::new(self.scene.elements(), &self.zero));
         Between {
@@ -77,7 +77,7 @@ where
         past: &MotionOf<S, R, C, P>,
         next: &MotionOf<S, R, C, P>,
         accelerations: &mut M::Rows<RateOf<S, R, C>>,
-        stages: &mut M::Rows<StageOf<S, R, C, P>>,
+        stages: &mut M::Rows<StageOf<S, R, C, P, L>>,
     ) {
         let step = next.time - past.time;
         for row in M::STAGES..M::SLOPES {
@@ -107,8 +107,8 @@ where
     pub(super) fn pull_back_between<E>(
         &mut self,
         (past, next): (&MotionOf<S, R, C, P>, &MotionOf<S, R, C, P>),
-        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
-        between: &mut Between<S, R, C, P, M>,
+        record: &mut RecordOf<S, R, C, P, M, L>,
+        between: &mut Between<S, R, C, P, M, L>,
         gradient: &mut GradientOf<S, R, C, L>,
         (shares, mut cost): (
             impl Iterator<Item = f64>,
@@ -155,8 +155,8 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         size: RealOf<S>,
-        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
-        between: &mut Between<S, R, C, P, M>,
+        record: &mut RecordOf<S, R, C, P, M, L>,
+        between: &mut Between<S, R, C, P, M, L>,
         gradient: &mut GradientOf<S, R, C, L>,
         cost: &mut impl FnMut(&MotionOf<S, R, C, P>, &mut GradientOf<S, R, C, L>) -> Result<(), E>,
     ) -> Result<(), E> {
@@ -176,8 +176,8 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         (share, step): (f64, RealOf<S>),
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
-        between: &mut Between<S, R, C, P, M>,
+        record: &RecordOf<S, R, C, P, M, L>,
+        between: &mut Between<S, R, C, P, M, L>,
         gradient: &mut GradientOf<S, R, C, L>,
         cost: &mut impl FnMut(&MotionOf<S, R, C, P>, &mut GradientOf<S, R, C, L>) -> Result<(), E>,
     ) -> Result<(), E> {
@@ -247,7 +247,7 @@ where
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
         accelerations: &M::Rows<RateOf<S, R, C>>,
-        between: &mut Between<S, R, C, P, M>,
+        between: &mut Between<S, R, C, P, M, L>,
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let (stage, slope) = (&between.stages.as_ref()[row], &accelerations.as_ref()[row]);

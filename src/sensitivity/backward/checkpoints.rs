@@ -121,7 +121,7 @@ where
         plan: Checkpoints<RealOf<S>>,
         torques: &[EffortOf<S>],
         states: &[MotionOf<S, R, C, P>],
-        tape: &mut [Tape<S, R, C, P, M>],
+        tape: &mut [Tape<S, R, C, P, M, L>],
         by_torques: &mut [EffortOf<S>],
         cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
     ) -> Result<GradientOf<S, R, C, L>, Error> {
@@ -146,7 +146,7 @@ where
         torques: &[EffortOf<S>],
         states: &[MotionOf<S, R, C, P>],
         middle: &mut [MotionOf<S, R, C, P>],
-        tape: &mut [Tape<S, R, C, P, M>],
+        tape: &mut [Tape<S, R, C, P, M, L>],
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
     ) -> Result<GradientOf<S, R, C, L>, Error> {

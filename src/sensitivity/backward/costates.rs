@@ -14,10 +14,10 @@
 use super::GradientOf;
 use super::between::Between;
 use super::held::{opposite, weigh};
-use super::record::{Record, Stage, StageOf};
+use super::record::{RecordOf, Stage, StageOf};
 use super::rules::Staged;
 use super::steps::{ROWS, Steps};
-use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, Ties};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Root;
 use crate::loading::EffortOf;
@@ -26,6 +26,7 @@ use crate::relation::{Additive, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
 use crate::shape::Takes;
+use crate::space::FrameOf;
 use crate::stepper::displace::{gather, gather_few, with_row};
 use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use crate::walks::meet::Meet;
@@ -50,8 +51,8 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
-        between: Option<&Between<S, R, C, P, M>>,
+        record: &RecordOf<S, R, C, P, M, L>,
+        between: Option<&Between<S, R, C, P, M, L>>,
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let last = M::STAGES;
@@ -169,7 +170,7 @@ where
     }
 
     /// Adds what motions between the ends of a step do to costates before it.
-    fn add_past(&mut self, between: Option<&Between<S, R, C, P, M>>, gradient: &mut GradientOf<S, R, C, L>) {
+    fn add_past(&mut self, between: Option<&Between<S, R, C, P, M, L>>, gradient: &mut GradientOf<S, R, C, L>) {
         if let Some(Between { of_past: [position, rate, memory], .. }) = between {
             gradient.start.position.add(position);
             gradient.start.rate.add(rate);
@@ -184,7 +185,7 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &RecordOf<S, R, C, P, M, L>,
         gradient: &mut GradientOf<S, R, C, L>,
     ) -> S::Scalar {
         self.of_own = Some(S::Scalar::zero());
@@ -211,6 +212,31 @@ where
         sum
     }
 
+    /// M w + Γᵀν = λ, Γ w = 0 through the gains of a stage, for the costates of accelerations, which become w; gives −ν of what holds the tip,
+    /// and what is carried there.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)] // two in one argument
+    pub(super) fn stir(
+        &mut self,
+        start: Option<&MotionOf<S, R, C, P>>,
+        frame: &FrameOf<S>,
+        (stage, slope): (&StageOf<S, R, C, P, L>, &RateOf<S, R, C>),
+    ) -> (EachOf<S, P>, S::Stirred) {
+        let elements = self.scene.elements();
+        let Stage { x, y, p, q, kept, pivots, position, rate, acceleration, .. } = stage;
+        let acceleration = if Self::CHARTED && start.is_none() { acceleration } else { slope };
+        let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
+        let free = &mut self.of_acceleration;
+        let mut walk = Meet::nothing();
+        elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
+        let weight = P::Closures::solve(&stage.compliance, &walk.gaps);
+        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints, (&mut self.in_loops, &mut self.at_ends));
+        let stores = (x, y, p, q, kept, (position, rate, acceleration, free), kept_of_them, &mut self.of_torques);
+        let forces = opposite::<S, P::Closures>(&weight);
+        let stirred = elements.take(&mut Stir { forces }, S::at_ground(frame), stores);
+        (weight, stirred)
+    }
+
     /// From the costates of the accelerations of a stage to those of its positions and rates.
     #[inline(never)]
     #[allow(clippy::type_complexity)] // two in one argument
@@ -219,24 +245,22 @@ where
         start: Option<&MotionOf<S, R, C, P>>,
         (row, laws): (usize, bool),
         time: RealOf<S>,
-        (stage, slope): (&StageOf<S, R, C, P>, &RateOf<S, R, C>),
+        (stage, slope): (&StageOf<S, R, C, P, L>, &RateOf<S, R, C>),
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
+        let frame = self.scene.ground(time);
+        gradient.times = Some([gradient.times.map_or(time, |[last, _]| last), time]);
+        let weights = if const { Self::TIED } { Some(self.untie(stage)) } else { None };
+        let (weight, stirred) = self.stir(start, &frame, (stage, slope));
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } =
-            stage;
+        let Stage { x, y, p, q, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } = stage;
         let acceleration = if Self::CHARTED && start.is_none() { acceleration } else { slope };
         let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
         let free = &mut self.of_acceleration;
-        let frame = self.scene.ground(time);
-        gradient.times = Some([gradient.times.map_or(time, |[last, _]| last), time]);
-        let mut walk = Meet::nothing();
-        elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
-        let weight = P::Closures::solve(&stage.compliance, &walk.gaps);
-        let kept_of_them = (&mut self.on_bodies, &mut self.in_joints, (&mut self.in_loops, &mut self.at_ends));
-        let stores = (x, y, p, q, kept, (position, rate, acceleration, &mut *free), kept_of_them, &mut self.of_torques);
-        let forces = opposite::<S, P::Closures>(&weight);
-        let stirred = elements.take(&mut Stir { forces }, S::at_ground(&frame), stores);
+        if let Some(weights) = &weights {
+            let ratios = L::of_ratios(&mut gradient.law);
+            self.loads.law.ties().weigh([&stage.tensions, weights], [acceleration, &*free], ratios);
+        }
         let mut pulled = S::Pulled::null();
         if const { Self::HELD } {
             let falling = frame.falling(self.scene.gravity());

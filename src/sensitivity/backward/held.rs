@@ -12,7 +12,7 @@
 
 use super::GradientOf;
 use super::record::Stage;
-use crate::adjoint::{BodyLaw, EachOf, Reversed, ReversibleTip, total};
+use crate::adjoint::{BodyLaw, EachOf, Reversed, ReversibleTip, Ties, total};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::loading::EffortOf;
@@ -147,7 +147,11 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
 
     /// The inward half of M w + Γᵀν = x̄ for the costates in the room, which they become; gives what a tip that is held needs of −ν for it to
     /// stay.
-    pub(super) fn meet<P: ReversibleTip<S>>(&mut self, elements: &E, stage: &Stage<S, E, P::Closures>) -> EachOf<S, P>
+    pub(super) fn meet<P: ReversibleTip<S>, Y: Ties<S>>(
+        &mut self,
+        elements: &E,
+        stage: &Stage<S, E, P::Closures, Y>,
+    ) -> EachOf<S, P>
     where
         E: Takes<S, Meet<S::Scalar, P::Closures>>,
     {
@@ -159,11 +163,11 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
 
     /// The outward half, of what is solved for, by the posture in the room, that of the stage at rest, where these forces act at the tip, and of
     /// the forces of loops or of those of their costates; gives W and w of the tip.
-    pub(super) fn stir<P: ReversibleTip<S>>(
+    pub(super) fn stir<P: ReversibleTip<S>, Y: Ties<S>>(
         &mut self,
         elements: &E,
         ground: &FrameOf<S>,
-        stage: &Stage<S, E, P::Closures>,
+        stage: &Stage<S, E, P::Closures, Y>,
         forces: EachOf<S, P>,
         of_costates: bool,
     ) -> AccelerationOf<S>

@@ -28,7 +28,7 @@
 use super::GradientOf;
 use super::again::{Again, AgainOf, follow, paired, unfollow};
 use super::projection::Projection;
-use super::record::{Place, Record, StageOf};
+use super::record::{Place, RecordOf, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
@@ -64,7 +64,7 @@ where
     pub(super) const STAYS: bool = M::REMEMBERS && <Elements<S, R, C> as Shape<S>>::LINEAR;
 
     /// Room, made once.
-    pub(super) fn again(&mut self, stage: &StageOf<S, R, C, P>) -> AgainOf<S, R, C, P> {
+    pub(super) fn again(&mut self, stage: &StageOf<S, R, C, P, L>) -> AgainOf<S, R, C, P, L> {
         self.again.take().unwrap_or_else(|| Again::new(self.scene.elements().store::<Positions>(()), &self.zero, stage))
     }
 
@@ -75,13 +75,13 @@ where
         (row, sweeps): (usize, usize),
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        (slopes, stages): (&[RateOf<S, R, C>], &[StageOf<S, R, C, P>]),
+        (slopes, stages): (&[RateOf<S, R, C>], &[StageOf<S, R, C, P, L>]),
         (free, led, mut between): (
             &mut Place<S, R, C>,
             &mut RateOf<S, R, C>,
             Option<&mut Projection<S, Elements<S, R, C>>>,
         ),
-        (stage, slope): (&mut StageOf<S, R, C, P>, &mut RateOf<S, R, C>),
+        (stage, slope): (&mut StageOf<S, R, C, P, L>, &mut RateOf<S, R, C>),
     ) {
         let (springs, node) = (self.rule.springs::<S::Scalar>(row, step), M::node(row));
         if const { M::REMEMBERS } {
@@ -135,7 +135,7 @@ where
         row: usize,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &mut RecordOf<S, R, C, P, M, L>,
     ) {
         let mut again = self.again(&record.stages.as_ref()[row]);
         let (slopes, rest) = record.accelerations.as_mut().split_at_mut(row);
@@ -167,7 +167,7 @@ where
         row: usize,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &RecordOf<S, R, C, P, M, L>,
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let (last, [own, by_size]) = (self.rule.sweeps(row), self.rule.own::<S::Scalar>(step));

@@ -26,7 +26,7 @@ where
     EffortOf<S>: Additive,
 {
     /// The accelerations that a sweep has found, where those of the step's coordinates may be others.
-    pub(super) fn found<'a>(stage: &'a StageOf<S, R, C, P>, slope: &'a RateOf<S, R, C>) -> &'a RateOf<S, R, C> {
+    pub(super) fn found<'a>(stage: &'a StageOf<S, R, C, P, L>, slope: &'a RateOf<S, R, C>) -> &'a RateOf<S, R, C> {
         if Self::CHARTED { &stage.acceleration } else { slope }
     }
 

@@ -171,12 +171,13 @@ where
             self.scratch.start.rate.visit(&mut put);
             let mut column = 0;
             let of_torques = &mut self.steps.of_torques;
-            let mut put = |x: Pack<T, N>| {
+            let mut put = |torque: &mut Pack<T, N>| {
+                let x = core::mem::replace(torque, Pack::of(T::zero()));
                 let list = by_torques.iter_mut().skip(first * joints + column).step_by(joints.max(1));
                 list.zip(x.0).for_each(|(entry, x)| *entry = x);
                 column += 1;
             };
-            unspread::each_joint(self.steps.scene.elements(), of_torques, Pack::of(T::zero()), &mut put);
+            unspread::each_joint(self.steps.scene.elements(), of_torques, &mut put);
         }
         Dynamics::<Unloaded>::accept(self.steps.scene, next)
     }

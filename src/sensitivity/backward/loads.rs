@@ -173,6 +173,12 @@ where
     /// bodies once more. Run and gradient take the instructions of 7.0 plain runs under the same struts (RK4, twenty rods on pins, ten struts;
     /// x86-64-v3).
     ///
+    /// Under [`Couplings`](crate::planar::Couplings) of joints, too, alone or beside a law or struts
+    /// ([`Couplings::and`](crate::planar::Couplings::and)), where nothing is held or closed; derivatives by their ratios are in
+    /// [`Gradient::by_ratios`](crate::sensitivity::Gradient::by_ratios), and along whatever makes them in
+    /// [`Gradient::along_couplings`](crate::sensitivity::Gradient::along_couplings). A sweep of `K` of them is an elimination more and `K` solutions
+    /// through its gains; costates take none more.
+    ///
     /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`](crate::sensitivity::Gradient::along).
     /// A law that does not fit the scene ([`LoadLaw::check`](crate::loading::LoadLaw::check)) is refused by whatever runs or differentiates.
     /// Run and gradient take the instructions of 6.3 plain runs under the same loads (RK4, twenty rods on pins, drag on each; x86-64-v3). Room is

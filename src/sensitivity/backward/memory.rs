@@ -16,7 +16,7 @@
 
 use super::GradientOf;
 use super::again::{follow, paired, unfollow};
-use super::record::{Place, Record};
+use super::record::{Place, RecordOf};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
@@ -129,7 +129,7 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &RecordOf<S, R, C, P, M, L>,
         next: &mut MotionOf<S, R, C, P>,
     ) {
         if let Some(projection) = &record.projection {
@@ -149,7 +149,7 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         next: &MotionOf<S, R, C, P>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &RecordOf<S, R, C, P, M, L>,
         end: &mut MotionOf<S, R, C, P>,
     ) -> Result<(), Error> {
         if const { !M::REMEMBERS } {
@@ -173,7 +173,7 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &RecordOf<S, R, C, P, M, L>,
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let (start, [first, found, ..]) = (&record.stages.as_ref()[0], record.accelerations.as_ref()) else { return };

@@ -21,6 +21,7 @@ mod rules;
 mod samples;
 mod steps;
 mod tape;
+mod tied;
 
 use super::gradient::{Costate, Gradient};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
@@ -33,7 +34,7 @@ use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 pub use checkpoints::Checkpoints;
-use record::Record;
+use record::RecordOf;
 use rules::Staged;
 use steps::Steps;
 pub use tape::Tape;
@@ -114,7 +115,7 @@ pub use tape::Tape;
 /// joints, reflected inertias. What a type says to be zero has no derivative.
 ///
 /// Joints in all of these may be [`Driven`](crate::planar::Driven) by a law that can be lifted: its numbers are parameters, and the time of an
-/// event in such a scene has no gradient.
+/// event in such a scene has no gradient. Joints may [follow others](crate::planar::Couplings) where nothing is held or closed.
 ///
 /// The ground of a root may [move](crate::planar::Moving), as long as nothing is held and no loop closes: parameters of its motion are not among the
 /// derivatives, and are refused where the gradient is asked for along them.
@@ -191,7 +192,7 @@ pub use tape::Tape;
 /// steps). (Times are the least of 400 in the tables, with other work on the other core; of these runs of 2000, of one and of 15.)
 pub struct Backward<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L: BodyLaw<S> = Absent> {
     steps: Steps<'s, S, R, C, P, M, L>,
-    record: Record<S, Elements<S, R, C>, M, P::Closures>,
+    record: RecordOf<S, R, C, P, M, L>,
     spare: MotionOf<S, R, C, P>,
     /// For gradients of which no parameters are asked.
     scratch: GradientOf<S, R, C, L>,
@@ -252,7 +253,8 @@ where
     /// # Errors
     /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
     /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
-    /// or closes a loop, twice in the same way; [`Fault::Unsupported`] where the ground moves and something is held or closed; what is wrong with the parameters of the rule; what
+    /// or closes a loop, twice in the same way; [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::Unsupported`] where the
+    /// ground moves, or joints are coupled, and something is held or closed; what is wrong with the parameters of the rule; what
     /// [`LoadLaw::check`](crate::loading::LoadLaw::check) of the loads on bodies refuses.
     pub fn run(
         &mut self,

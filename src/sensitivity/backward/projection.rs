@@ -16,7 +16,7 @@
 use super::GradientOf;
 use super::held::{Room, add, opposite};
 use super::metric::metric;
-use super::record::{Place, Record, StageOf};
+use super::record::{Place, Record, RecordOf, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, total};
@@ -85,7 +85,7 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &mut RecordOf<S, R, C, P, M, L>,
     ) {
         let Record { stages, accelerations, projection } = record;
         let Some(projection) = projection else { return };
@@ -106,7 +106,7 @@ where
     pub(super) fn project(
         &mut self,
         time: RealOf<S>,
-        stage: &StageOf<S, R, C, P>,
+        stage: &StageOf<S, R, C, P, L>,
         projection: &mut Projection<S, Elements<S, R, C>>,
     ) {
         let Some(room) = &mut self.room else { return };
@@ -160,7 +160,7 @@ where
     pub(super) fn pull_back_projection(
         &mut self,
         clock: (RealOf<S>, RealOf<S>),
-        stage: (&StageOf<S, R, C, P>, &PositionOf<S, R, C>, Option<&Place<S, R, C>>),
+        stage: (&StageOf<S, R, C, P, L>, &PositionOf<S, R, C>, Option<&Place<S, R, C>>),
         projection: &Projection<S, Elements<S, R, C>>,
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
@@ -198,7 +198,7 @@ where
         level: Level,
         (place, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
         (time, step): (RealOf<S>, RealOf<S>),
-        (stage, position, free): (&StageOf<S, R, C, P>, &PositionOf<S, R, C>, Option<&Place<S, R, C>>),
+        (stage, position, free): (&StageOf<S, R, C, P, L>, &PositionOf<S, R, C>, Option<&Place<S, R, C>>),
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let Some(room) = &mut self.room else { return };
@@ -210,7 +210,7 @@ where
         let [of_place, of_rate] = tip.residual(time, &frame);
         let residual = if let Level::Place = level { of_place } else { of_rate };
         room.costates.replace(&mut |x| -x);
-        let held = room.meet::<P>(elements, stage);
+        let held = room.meet::<P, _>(elements, stage);
         room.weights.clone_from(&room.nothing);
         let none: EachOf<S, P> = P::Closures::each(|_| S::Scalar::zero());
         let mut weights = none;
@@ -232,7 +232,7 @@ where
                 force = P::Closures::solve(&stage.compliance, &residual);
             }
             // The correction x, and how it moves all stations.
-            let moved = room.stir::<P>(elements, &ground, stage, force, false);
+            let moved = room.stir::<P, _>(elements, &ground, stage, force, false);
             room.correction.set(&room.solved);
             let kept = (&room.on_bodies, &room.in_joints);
             swept::<S, _>(elements, kept, &mut room.at_bodies, &mut room.at_joints);
@@ -246,7 +246,7 @@ where
                 minus_weight = held;
                 weights = opposite::<S, P::Closures>(&held);
             }
-            let stirred = room.stir::<P>(elements, &ground, stage, minus_weight, true);
+            let stirred = room.stir::<P, _>(elements, &ground, stage, minus_weight, true);
             // What the stage's M and Γ change of x.
             let Room { x, y, p, q, still, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
             let mut pulled = S::Pulled::null();

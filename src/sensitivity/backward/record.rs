@@ -2,7 +2,7 @@
 
 use super::projection::Projection;
 use super::rules::Staged;
-use crate::adjoint::Reversed;
+use crate::adjoint::{BodyLaw, Reversed, Ties};
 use crate::element::Element;
 use crate::ends::Tip;
 use crate::mirror::Rate;
@@ -12,14 +12,17 @@ use crate::shape::{Kept, PerAxes, PerBody, PerClosure, PerJoint};
 use crate::system::{Elements, PositionOf, RateOf};
 use num_traits::Zero;
 
+/// A step of a scene.
+pub(super) type RecordOf<S, R, C, P, M, L> =
+    Record<S, Elements<S, R, C>, M, <P as Tip<S>>::Closures, <L as BodyLaw<S>>::Ties>;
 /// A stage of a scene.
-pub(super) type StageOf<S, R, C, P> = Stage<S, Elements<S, R, C>, <P as Tip<S>>::Closures>;
+pub(super) type StageOf<S, R, C, P, L> = Stage<S, Elements<S, R, C>, <P as Tip<S>>::Closures, <L as BodyLaw<S>>::Ties>;
 /// Positions and rates.
 pub(super) type Place<S, R, C> = (PositionOf<S, R, C>, RateOf<S, R, C>);
 
 /// What a stage of a step keeps for its costates.
 #[derive(Clone)]
-pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
+pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> {
     pub(super) x: E::Store<PerAxes<S::X>>,
     pub(super) y: E::Store<PerAxes<S::Y>>,
     pub(super) p: E::Store<PerAxes<S::P>>,
@@ -40,17 +43,20 @@ pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures> {
     pub(super) force: X::Each<S::Scalar>,
     /// Acceleration of the tip.
     pub(super) reached: AccelerationOf<S>,
+    /// What a unit of the force of each coupling causes, and these forces.
+    pub(super) responses: Y::Each<E::Rate>,
+    pub(super) tensions: Y::Each<S::Scalar>,
 }
 
 /// A step with what its stages keep.
-pub(super) struct Record<S: Reversed, E: Element<S>, M: Staged, X: Closures> {
-    pub(super) stages: M::Stages<Stage<S, E, X>>,
+pub(super) struct Record<S: Reversed, E: Element<S>, M: Staged, X: Closures, Y: Ties<S>> {
+    pub(super) stages: M::Stages<Stage<S, E, X, Y>>,
     pub(super) accelerations: M::Rows<E::Rate>,
     /// What puts the tip back where it is held and closes loops, if there is something.
     pub(super) projection: Option<Projection<S, E>>,
 }
 
-impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Clone for Record<S, E, M, X> {
+impl<S: Reversed, E: Element<S>, M: Staged, X: Closures, Y: Ties<S>> Clone for Record<S, E, M, X, Y> {
     fn clone(&self) -> Self {
         let (mut stages, mut accelerations) =
             (M::stages(&self.stages.as_ref()[0]), M::rows(&self.accelerations.as_ref()[0]));
@@ -60,7 +66,7 @@ impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Clone for Record<S, E, 
     }
 }
 
-impl<S: Reversed, E: Element<S>, M: Staged, X: Closures> Record<S, E, M, X> {
+impl<S: Reversed, E: Element<S>, M: Staged, X: Closures, Y: Ties<S>> Record<S, E, M, X, Y> {
     /// Gives the motion before the step the accelerations in which it begins, where the first stage stands there; else zeros. What a rule
     /// remembers stays.
     pub(super) fn begin(&self, before: &mut Motion<S::Scalar, E::Position, X>) {

@@ -4,9 +4,10 @@ use super::again::AgainOf;
 use super::held::{Room, unturned};
 use super::loads::Seen;
 use super::projection::Projection;
-use super::record::{Place, Record, Stage, StageOf};
+use super::record::{Place, Record, RecordOf, Stage, StageOf};
 use super::rules::Staged;
-use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, ReversibleTip};
+use super::tied::Tying;
+use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, ReversibleTip, Ties};
 use crate::element::{Coordinates, Element, Posture, RealOf};
 use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
@@ -61,7 +62,9 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     /// What puts the geometry of a sweep back where something is held or closed, if a rule does.
     pub(super) between: Option<Projection<S, Elements<S, R, C>>>,
     /// Room for the sweeps of a stage of an implicit rule.
-    pub(super) again: Option<AgainOf<S, R, C, P>>,
+    pub(super) again: Option<AgainOf<S, R, C, P, L>>,
+    /// Room for couplings of joints, if there are any.
+    pub(super) tying: Option<Tying<S, R, C>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
     pub(super) in_joints: <Elements<S, R, C> as Shape<S>>::Store<PerJoint<S::InJoint>>,
     /// −ν of loops, how their ends move, and nothing of them.
@@ -128,6 +131,7 @@ where
             of_memory: zero.clone(),
             between: Self::RESTORED.then(|| Projection::new(elements, &zero)),
             again: None,
+            tying: Self::TIED.then(|| (elements.store::<PerJoint<_>>(no_torque), zero.clone())),
             sum: zero.clone(),
             zero,
             on_bodies: elements.store::<PerBody<_>>(on_body),
@@ -143,7 +147,7 @@ where
     }
 
     /// Room for a step.
-    pub(super) fn record(&self) -> Record<S, Elements<S, R, C>, M, P::Closures> {
+    pub(super) fn record(&self) -> RecordOf<S, R, C, P, M, L> {
         let elements = self.scene.elements();
         let (x, y, p, q) = S::blank();
         let stage = Stage {
@@ -162,6 +166,8 @@ where
             compliance: P::Closures::no_pairs(),
             force: P::Closures::each(|_| S::Scalar::zero()),
             reached: Acceleration::zero(),
+            responses: L::Ties::each(&self.zero),
+            tensions: L::Ties::each(&S::Scalar::zero()),
         };
         let projection = (Self::CLOSED > 0).then(|| Projection::new(elements, &self.zero));
         Record { stages: M::stages(&stage), accelerations: M::rows(&self.zero), projection }
@@ -211,7 +217,7 @@ where
         &mut self,
         past: &MotionOf<S, R, C, P>,
         step: RealOf<S>,
-        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &mut RecordOf<S, R, C, P, M, L>,
     ) {
         for row in 0..M::STAGES {
             if M::IMPLICIT && !(M::REMEMBERS && row == 0) {
@@ -248,7 +254,7 @@ where
         &mut self,
         time: RealOf<S>,
         past: &MotionOf<S, R, C, P>,
-        record: &mut Record<S, Elements<S, R, C>, M, P::Closures>,
+        record: &mut RecordOf<S, R, C, P, M, L>,
         next: &mut MotionOf<S, R, C, P>,
     ) {
         let step = time - past.time;
@@ -282,13 +288,36 @@ where
         free: Option<(&Place<S, R, C>, &RateOf<S, R, C>, bool)>,
         springs: M::Springs<S::Scalar>,
         time: RealOf<S>,
-        stage: &mut StageOf<S, R, C, P>,
+        stage: &mut StageOf<S, R, C, P, L>,
+        acceleration: &mut RateOf<S, R, C>,
+    ) {
+        self.sweep_under(false, start, free, springs, time, stage, acceleration);
+        if const { Self::TIED } {
+            self.tie(start, time, stage, acceleration);
+            self.sweep_under(true, start, free, springs, time, stage, acceleration);
+        }
+    }
+
+    /// A sweep without the forces of couplings, or, once more, with them.
+    #[inline(always)]
+    #[allow(clippy::type_complexity, clippy::too_many_arguments)] // those of the sweep
+    fn sweep_under(
+        &mut self,
+        tied: bool,
+        start: Option<&MotionOf<S, R, C, P>>,
+        free: Option<(&Place<S, R, C>, &RateOf<S, R, C>, bool)>,
+        springs: M::Springs<S::Scalar>,
+        time: RealOf<S>,
+        stage: &mut StageOf<S, R, C, P, L>,
         acceleration: &mut RateOf<S, R, C>,
     ) {
         let (elements, ground) = (self.scene.elements(), self.scene.ground(time));
         let Stage { x, y, p, q, kept, pivots, at_bodies, at_joints, in_loops, position, rate, .. } = stage;
         let (position, rate) = start.map_or((&*position, &*rate), |past| (&past.position, &past.rate));
-        S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
+        if !tied {
+            S::pose(elements, position, rate, ground.turn, &self.sizes, x, y, p, q);
+        }
+        let torques = self.tying.as_ref().filter(|_| tied).map_or(&self.torques, |(efforts, _)| efforts);
         let falling = ground.falling(self.scene.gravity());
         let beyond = Outboard::held(P::KIND, self.scene.tip().columns(), &falling);
         let motion = match free {
@@ -296,12 +325,13 @@ where
             Some(((place, speed), led, false)) => (place, speed, (position, rate, led)),
             None => (position, rate, (position, rate, &self.zero)),
         };
-        let chain =
-            elements.take(&mut Factor::by(springs), beyond, (x, y, p, q, motion, &self.torques, &mut *kept, pivots));
+        let chain = elements.take(&mut Factor::by(springs), beyond, (x, y, p, q, motion, torques, &mut *kept, pivots));
         let mut burden = Burden(Meet::nothing());
         if const { L::ON } {
             let motion = Coordinates { position, rate, acceleration: &self.zero };
-            self.loads.see(elements, ground, Posture { x, y, p, q }, motion, time);
+            if !tied {
+                self.loads.see(elements, ground, Posture { x, y, p, q }, motion, time);
+            }
             elements.take(&mut burden, Wrench::none(), (x, y, p, q, &self.loads.on_bodies, &mut *kept, pivots));
         }
         let Cuts { columns, compliance, gap } = chain.relation.cuts;

@@ -1,6 +1,6 @@
 //! Tapes: all that the stages of steps know, kept while costates pass.
 
-use super::record::Record;
+use super::record::RecordOf;
 use super::rules::Staged;
 use super::steps::TorquesOf;
 use super::{Backward, CostateOf, GradientOf};
@@ -9,7 +9,7 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
-use crate::relation::Additive;
+use crate::relation::{Absent, Additive};
 use crate::scalar::Real;
 use crate::shape::PerJoint;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
@@ -18,16 +18,16 @@ use core::ops::Range;
 use num_traits::Zero;
 
 /// Room for a step of a tape: its motion, and all that its stages keep.
-pub struct Tape<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> {
+pub struct Tape<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L: BodyLaw<S> = Absent> {
     pub(super) before: MotionOf<S, R, C, P>,
     /// Size of the step (s).
     size: RealOf<S>,
     /// Torques held over it, where sweeps are made once more on the way back.
     torques: Option<TorquesOf<S, R, C>>,
-    record: Record<S, Elements<S, R, C>, M, P::Closures>,
+    record: RecordOf<S, R, C, P, M, L>,
 }
 
-impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged> Clone for Tape<S, R, C, P, M> {
+impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Staged, L: BodyLaw<S>> Clone for Tape<S, R, C, P, M, L> {
     fn clone(&self) -> Self {
         let (before, torques, record) = (self.before.clone(), self.torques.clone(), self.record.clone());
         Self { before, size: self.size, torques, record }
@@ -47,7 +47,7 @@ where
     EffortOf<S>: Additive,
 {
     /// Room for a step of a tape: a slice of them is what [`gradient_between`](Self::gradient_between) needs.
-    pub fn tape(&self) -> Tape<S, R, C, P, M> {
+    pub fn tape(&self) -> Tape<S, R, C, P, M, L> {
         let torques = M::IMPLICIT.then(|| self.steps.torques.clone());
         Tape { before: self.steps.scene.motion(), size: RealOf::<S>::zero(), torques, record: self.steps.record() }
     }
@@ -63,7 +63,7 @@ where
         step: RealOf<S>,
         steps: usize,
         torques: &[EffortOf<S>],
-        tape: &mut [Tape<S, R, C, P, M>],
+        tape: &mut [Tape<S, R, C, P, M, L>],
         end: &mut MotionOf<S, R, C, P>,
     ) -> Result<(), Error> {
         self.admits(steps, torques.len())?;
@@ -94,7 +94,7 @@ where
     pub fn gradient_on_tape(
         &mut self,
         steps: usize,
-        tape: &[Tape<S, R, C, P, M>],
+        tape: &[Tape<S, R, C, P, M, L>],
         end: &MotionOf<S, R, C, P>,
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
@@ -120,7 +120,7 @@ where
         (start, size): (RealOf<S>, RealOf<S>),
         between: Range<usize>,
         torques: &[EffortOf<S>],
-        tape: &mut [Tape<S, R, C, P, M>],
+        tape: &mut [Tape<S, R, C, P, M, L>],
     ) {
         let count = between.len();
         for (place, step) in between.enumerate() {
@@ -144,7 +144,7 @@ where
     pub(super) fn back_from_tape(
         &mut self,
         between: Range<usize>,
-        tape: &[Tape<S, R, C, P, M>],
+        tape: &[Tape<S, R, C, P, M, L>],
         by_torques: &mut [EffortOf<S>],
         gradient: &mut GradientOf<S, R, C, L>,
         cost: &mut impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,

@@ -1,10 +1,10 @@
 //! The costate sweep in the plane: struts.
 
 use super::loads::{BODY, Felt};
-use crate::adjoint::struts::{BesideStruts, ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
-use crate::adjoint::{BodyLaw, OfLaw, ReversibleLoads};
-use crate::loading::{LoadLaw, Loading, Loads};
-use crate::mechanics::planar::{Frame, JointMotion, Planar};
+use crate::adjoint::struts::{ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
+use crate::adjoint::{Beside, BodyLaw, OfLaw, ReversibleLoads};
+use crate::loading::{Load, LoadLaw, Loading, Loads};
+use crate::mechanics::planar::{BodyMotion, Frame, JointMotion, Planar};
 use crate::relation::planar::algebra::{add_scaled, dot, normal};
 use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;

@@ -3,10 +3,10 @@
 use super::Turning;
 use super::felt::Felt;
 use super::read::BODY;
-use crate::adjoint::struts::{BesideStruts, ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
-use crate::adjoint::{BodyLaw, OfLaw, ReversibleLoads};
-use crate::loading::{LoadLaw, Loading, Loads};
-use crate::mechanics::spatial::{Frame, JointMotion, Spatial, Turn};
+use crate::adjoint::struts::{ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
+use crate::adjoint::{Beside, BodyLaw, OfLaw, ReversibleLoads};
+use crate::loading::{Load, LoadLaw, Loading, Loads};
+use crate::mechanics::spatial::{BodyMotion, Frame, JointMotion, Spatial, Turn};
 use crate::relation::spatial::algebra::{cross_onto, zero};
 use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;

@@ -147,28 +147,49 @@ macro_rules! tree {
     }};
 }
 
-/// What acts on bodies: `under` a law, or what is `pulled` by struts, listed with a law beside them.
+/// What acts: `under` a law on bodies, what is `pulled` by struts, or `coupled` joints of a scene, listed with a law beside them.
 macro_rules! acting {
-    (under, on_bodies: $law:expr) => {
+    (under, on_bodies: $law:expr, $scene:expr) => {
         $law
     };
-    (under, beside: $efforts:expr, $law:expr) => {
+    (under, beside: $efforts:expr, $law:expr, $scene:expr) => {
         $efforts.on_bodies_by($law)
     };
+    (under, joined: $start:expr, $law:expr, $scene:expr) => {{
+        let _ = $law;
+        $start
+    }};
     (under, by_numbers: $gradient:expr) => {
         $gradient.by_loads().unwrap().to_vec()
     };
-    (pulled, on_bodies: $law:expr) => {
+    (pulled, on_bodies: $law:expr, $scene:expr) => {
         Struts::of($law.0).and(Loads::none().on_bodies_by($law.1))
     };
-    (pulled, beside: $efforts:expr, $law:expr) => {
+    (pulled, beside: $efforts:expr, $law:expr, $scene:expr) => {
         Struts::of($law.0).and($efforts.on_bodies_by($law.1))
+    };
+    (pulled, joined: $start:expr, $law:expr, $scene:expr) => {
+        acting!(under, joined: $start, $law, $scene)
     };
     (pulled, by_numbers: $gradient:expr) => {{
         let mut list: Vec<f64> = vec![];
         for by in $gradient.by_struts() {
             list.extend(by.ends.iter().flatten().chain([&by.stiffness, &by.damping, &by.length]));
         }
+        list.extend($gradient.by_loads().unwrap());
+        list
+    }};
+    (coupled, on_bodies: $law:expr, $scene:expr) => {
+        Couplings::of($scene, $law.0).unwrap().and(Loads::none().on_bodies_by($law.1))
+    };
+    (coupled, beside: $efforts:expr, $law:expr, $scene:expr) => {
+        Couplings::of($scene, $law.0).unwrap().and($efforts.on_bodies_by($law.1))
+    };
+    (coupled, joined: $start:expr, $law:expr, $scene:expr) => {
+        Couplings::of($scene, $law.0).unwrap().joined($start)
+    };
+    (coupled, by_numbers: $gradient:expr) => {{
+        let mut list = $gradient.by_ratios().to_vec();
         list.extend($gradient.by_loads().unwrap());
         list
     }};
@@ -222,7 +243,7 @@ macro_rules! gradients {
                     if step < steps {
                         let torques = &of[parameters + 2 * n + step * joints..][..joints];
                         let torques = Loads::none().torques(torques.to_vec());
-                        stepper.step(&now, &acting!($act, beside: torques, law), h, &mut next).unwrap();
+                        stepper.step(&now, &acting!($act, beside: torques, law, &system), h, &mut next).unwrap();
                         core::mem::swap(&mut now, &mut next);
                     }
                 }
@@ -245,7 +266,7 @@ macro_rules! gradients {
             let $y = |k: usize| -> N { numbers[k] };
             $law
         };
-        let mut backward = system.backward($method).under(acting!($act, on_bodies: law));
+        let mut backward = system.backward($method).under(acting!($act, on_bodies: law, &system));
         backward.run(&start, h, steps, torques, &mut states).unwrap();
         let mut total = 0.0;
         let gradient = backward
@@ -283,6 +304,7 @@ macro_rules! gradients {
 // Behind the macro, which they use.
 mod attitudes;
 mod chains;
+mod couplings;
 mod driven;
 mod joints;
 mod laws;

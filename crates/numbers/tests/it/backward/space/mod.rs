@@ -90,7 +90,11 @@ macro_rules! gradients {
                 Rate::<f64>::replace(&mut step, &mut |x| 0.3 * x);
                 Position::<f64>::displace(guess.position_mut(), &step);
             }
-            system.assembled(guess, &Unloaded).unwrap()
+            let law = {
+                let $y = |k: usize| -> N { numbers[k] };
+                $law
+            };
+            acting!($act, joined: system.assembled(guess, &Unloaded).unwrap(), law, &system)
         };
         numbers.extend((0..n).map(|_| 0.0));
         numbers.extend(guess.rates());
@@ -132,7 +136,7 @@ macro_rules! gradients {
                     sum += share(step, steps, &now.coordinates(), &now.rates());
                     if step < steps {
                         let efforts = Loads::none().efforts(torques[step * joints..][..joints].to_vec());
-                        stepper.step(&now, &acting!($act, beside: efforts, law), h, &mut next).unwrap();
+                        stepper.step(&now, &acting!($act, beside: efforts, law, &system), h, &mut next).unwrap();
                         core::mem::swap(&mut now, &mut next);
                     }
                 }
@@ -155,7 +159,7 @@ macro_rules! gradients {
             let $y = |k: usize| -> N { numbers[k] };
             $law
         };
-        let mut backward = system.backward($method).under(acting!($act, on_bodies: law));
+        let mut backward = system.backward($method).under(acting!($act, on_bodies: law, &system));
         backward.run(&start, h, steps, &torques, &mut states).unwrap();
         let mut total = 0.0;
         let gradient = backward
@@ -354,6 +358,7 @@ fn revolutes_about_a_ball_have_the_gradients_of_jets() {
 }
 
 // Behind the macro, which it uses.
+mod couplings;
 mod driven;
 mod elastic;
 mod floating;

@@ -1,0 +1,70 @@
+//! Ties between joints in runs that go backward: rows C, one for each, and their forces λ beside the equations of motion.
+//!
+//! With what a unit of each force causes, r = M⁻¹ Cᵀ, and G = C r, a sweep and its costates are
+//!
+//! ```text
+//! M a + c = τ + Cᵀλ,  C a = 0:           λ = −G⁻¹ C a₀         a = a₀ + r λ
+//! M w + Cᵀν = λ_a,    C w = 0:           ν = G⁻¹ rᵀ λ_a
+//! by the ratio of a follower f to its leader l:               ν a_l − λ w_l
+//! ```
+//!
+//! where a₀ are accelerations without. Offsets stand in the start alone.
+
+use crate::error::Fault;
+use crate::loading::EffortOf;
+use crate::mirror::{Position, Rate};
+use crate::space::Space;
+
+/// Ties between joints, decided by type: [`Couplings`](crate::planar::Couplings), or none.
+pub trait Ties<S: Space>: Copy {
+    /// One `X` for each tie.
+    type Each<X: Clone>: AsRef<[X]> + AsMut<[X]> + Clone;
+    /// Number of ties.
+    const COUNT: usize;
+
+    /// Copies of a value.
+    fn each<X: Clone>(value: &X) -> Self::Each<X>;
+    /// Adds Cᵀ times shares to costates of rates, or to forces along them.
+    fn spread<V: Rate<S::Scalar>>(&self, shares: &Self::Each<S::Scalar>, along: &mut V);
+    /// λ = −G⁻¹ C a₀.
+    fn balanced<V: Rate<S::Scalar>>(&self, responses: &Self::Each<V>, free: &V) -> Self::Each<S::Scalar>;
+    /// ν = G⁻¹ rᵀ λ_a.
+    fn weights<V: Rate<S::Scalar>>(&self, responses: &Self::Each<V>, costate: &V) -> Self::Each<S::Scalar>;
+    /// Adds what forces λ exert in a joint.
+    fn exert(&self, joint: usize, forces: &Self::Each<S::Scalar>, effort: &mut EffortOf<S>);
+    /// Adds costates of ratios, by λ and ν, a and w.
+    fn weigh<V: Rate<S::Scalar>>(
+        &self,
+        forces: [&Self::Each<S::Scalar>; 2],
+        motions: [&V; 2],
+        of_ratios: &mut [S::Scalar],
+    );
+    /// Refuses a scene whose joints are not those of the ties.
+    fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault>;
+    /// Refuses a motion that is not tied.
+    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault>;
+}
+
+impl<S: Space> Ties<S> for () {
+    type Each<X: Clone> = [X; 0];
+    const COUNT: usize = 0;
+
+    fn each<X: Clone>(_: &X) -> [X; 0] {
+        []
+    }
+    fn spread<V: Rate<S::Scalar>>(&self, _: &[S::Scalar; 0], _: &mut V) {}
+    fn balanced<V: Rate<S::Scalar>>(&self, _: &[V; 0], _: &V) -> [S::Scalar; 0] {
+        []
+    }
+    fn weights<V: Rate<S::Scalar>>(&self, _: &[V; 0], _: &V) -> [S::Scalar; 0] {
+        []
+    }
+    fn exert(&self, _: usize, _: &[S::Scalar; 0], _: &mut EffortOf<S>) {}
+    fn weigh<V: Rate<S::Scalar>>(&self, _: [&[S::Scalar; 0]; 2], _: [&V; 2], _: &mut [S::Scalar]) {}
+    fn check(&self, _: usize, _: usize) -> Result<(), Fault> {
+        Ok(())
+    }
+    fn suits<P: Position<S::Scalar>>(&self, _: &P, _: &P::Rate) -> Result<(), Fault> {
+        Ok(())
+    }
+}

@@ -1,0 +1,126 @@
+//! Couplings in runs that go backward, as [`Ties`] beside what acts on bodies.
+
+use super::solve::solved;
+use super::{Couplings, at, numbered};
+use crate::adjoint::{Beside, BodyLaw, LoadCostates, OfLaw, ReversibleLoads, Ties};
+use crate::error::Fault;
+use crate::loading::{EffortOf, LoadLaw, Loading, Unloaded};
+use crate::mechanics::planar::{self, Planar};
+use crate::mechanics::spatial::{self, Spatial};
+use crate::mirror::{Position, Rate};
+use crate::relation::Geometry;
+use crate::scalar::Scalar;
+use crate::space::FrameOf;
+use crate::transfer::FromEfforts;
+use crate::walks::pull_loads::PullLoads;
+use num_traits::Zero;
+
+impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
+    type Each<X: Clone> = [X; K];
+    const COUNT: usize = K;
+
+    fn each<X: Clone>(value: &X) -> [X; K] {
+        core::array::from_fn(|_| value.clone())
+    }
+    fn spread<V: Rate<S::Scalar>>(&self, shares: &[S::Scalar; K], along: &mut V) {
+        for (tie, share) in self.ties.iter().zip(shares) {
+            for (place, share) in tie.rates.into_iter().zip([*share, -tie.ratio * *share]) {
+                let mut entry = S::Scalar::zero();
+                along.visit(&mut numbered(place, |x| entry = x));
+                along.replace(&mut at(place, entry + share));
+            }
+        }
+    }
+    fn balanced<V: Rate<S::Scalar>>(&self, responses: &[V; K], free: &V) -> [S::Scalar; K] {
+        self.solved(responses, self.missed(free))
+    }
+    fn weights<V: Rate<S::Scalar>>(&self, responses: &[V; K], costate: &V) -> [S::Scalar; K] {
+        let columns = responses.each_ref().map(|response| self.missed(response));
+        let measures = core::array::from_fn(|k| self.moved(k, &responses[k]));
+        let paired = responses.each_ref().map(|response| {
+            let mut sum = S::Scalar::zero();
+            response.all(costate, &mut |response, costate| {
+                sum += response * costate;
+                true
+            });
+            sum
+        });
+        solved(columns, measures, paired)
+    }
+    fn exert(&self, joint: usize, forces: &[S::Scalar; K], effort: &mut EffortOf<S>) {
+        let none = S::Scalar::zero();
+        *effort = *effort + S::of_efforts([self.exerted(joint, forces), none, none]);
+    }
+    fn weigh<V: Rate<S::Scalar>>(
+        &self,
+        [forces, weights]: [&[S::Scalar; K]; 2],
+        [acceleration, stirred]: [&V; 2],
+        of_ratios: &mut [S::Scalar],
+    ) {
+        let [accelerations, stirred] = [acceleration, stirred].map(|motion| self.rates(motion));
+        for (k, sum) in of_ratios.iter_mut().enumerate().take(K) {
+            let ([_, acceleration], [_, w]) = (accelerations[k], stirred[k]);
+            *sum += weights[k] * acceleration - forces[k] * w;
+        }
+    }
+    fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
+        Loading::<S>::check(self, bodies, joints)
+    }
+    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
+        Loading::<S>::suits(self, position, rate)
+    }
+}
+
+/// What acts on bodies beside couplings: for each space on its own, so that a compiler can tell laws of one body's motion from them.
+macro_rules! beside {
+    ($Space:ident, $JointMotion:ty) => {
+        impl<T: Scalar, L: Beside<$Space<T>>, const K: usize> BodyLaw<$Space<T>> for Couplings<T, K, L> {
+            type Beside<J: LoadLaw<$JointMotion>> = <L::Law as BodyLaw<$Space<T>>>::Beside<J>;
+            type OfNumbers = ([T; K], <L::Law as BodyLaw<$Space<T>>>::OfNumbers);
+            type Stirred = <L::Law as BodyLaw<$Space<T>>>::Stirred;
+            type Ties = Couplings<T, K>;
+
+            fn beside<J: LoadLaw<$JointMotion>>(self, efforts: J) -> Self::Beside<J> {
+                self.others.law().beside(efforts)
+            }
+            fn of_nothing() -> Self::OfNumbers {
+                ([T::zero(); K], L::Law::of_nothing())
+            }
+            fn unstirred() -> Self::Stirred {
+                L::Law::unstirred()
+            }
+            fn ties(&self) -> Couplings<T, K> {
+                let Self { ties, forces, given, counts, .. } = *self;
+                Couplings { ties, forces, given, counts, others: Unloaded }
+            }
+            fn of_ratios((of_ratios, _): &mut Self::OfNumbers) -> &mut [T] {
+                of_ratios
+            }
+            fn listed((_, of_law): &Self::OfNumbers) -> &OfLaw<T> {
+                L::Law::listed(of_law)
+            }
+        }
+
+        impl<T: Scalar, L, const K: usize> ReversibleLoads<$Space<T>> for Couplings<T, K, L>
+        where
+            L: Beside<$Space<T>, Law: ReversibleLoads<$Space<T>>>,
+        {
+            fn felt(
+                walk: &mut PullLoads<Self, $Space<T>>,
+                numbers: <$Space<T> as LoadCostates>::OfNumbers,
+                frame: &FrameOf<$Space<T>>,
+                stirred: (<$Space<T> as Geometry>::Vector, <$Space<T> as Geometry>::Angular),
+                sums: &mut <$Space<T> as LoadCostates>::OfNumbers,
+            ) -> <$Space<T> as LoadCostates>::Felt {
+                let (law, seen, of_law) = (walk.law.others.law(), walk.seen.clone(), walk.of_law.1.clone());
+                let PullLoads { surveys, time, body, level, .. } = *walk;
+                let mut within = PullLoads { law, seen, surveys, time, body, level, of_law };
+                let felt = L::Law::felt(&mut within, numbers, frame, stirred, sums);
+                (walk.seen, walk.of_law.1) = (within.seen, within.of_law);
+                felt
+            }
+        }
+    };
+}
+beside!(Planar, planar::JointMotion<T>);
+beside!(Spatial, spatial::JointMotion<T>);
