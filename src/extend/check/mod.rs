@@ -76,7 +76,8 @@ type Varied<S, R, C, P> = System<<S as SpaceOver<Dual>>::Over, Over<R>, Over<C>,
 /// * accelerations of a sweep with the balance of virtual power, of bodies as they move and joints as they describe themselves: gains
 ///   that do not match an elimination, forces that are not the law's;
 /// * the same after an implicit sweep, whose springs move with the accelerations sought: pivots, but for those of joints with more than
-///   two coordinates, which no check sees;
+///   two coordinates, which may be no more than near;
+/// * an explicit sweep with an implicit one whose springs move with nothing: pivots that do not grow in proportion to what springs move by;
 /// * the rate of energy with the power of dampers, where neither ground nor drives move: energies, reflected inertia, velocities that are
 ///   no derivatives of places;
 /// * slopes of laws with derivatives of forces;
@@ -126,6 +127,7 @@ where
             None,
         )?;
         at.implicit::<N>()?;
+        at.unmoved(&along)?;
         at.energy()?;
         at.slopes()?;
         at.matrices::<N>()?;

@@ -7,8 +7,9 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
+use crate::motion::Motion;
 use crate::release::Release;
-use crate::system::{Inertial, MotionOf, Runs, StiffDynamics, System, coordinates, numbers, set, unit};
+use crate::system::{Inertial, MotionOf, RateOf, Runs, StiffDynamics, System, coordinates, numbers, set, unit};
 use crate::transfer::Exact;
 use crate::walks::travel::show;
 use std::vec::Vec;
@@ -139,6 +140,20 @@ where
             "implicit sweep against virtual power: a pivot that does not match, or slopes that are not the law's";
         Trial { scene: self.scene, varied: self.varied, motion: &sought, trial: self.trial }
             .power::<N>(what, Some(&led))
+    }
+
+    /// An implicit sweep whose springs move with nothing, whatever acceleration is said to have led to where laws are read.
+    pub(super) fn unmoved(&self, along: &RateOf<S, R, C>) -> Result<(), Doubt> {
+        let (springs, mut workspace) = (Implicit { position: 0.0, rate: 0.0 }, self.scene.stiff_workspace());
+        let Motion { time, position, rate, acceleration, .. } = self.motion;
+        let (mut found, reading) = (acceleration.clone(), Reading { position, rate, acceleration: along });
+        let here = (position, rate);
+        self.scene.implicit_accelerations(*time, here, here, reading, springs, &Unloaded, &mut workspace, &mut found);
+        let what = "implicit sweep without a step against explicit sweep: a pivot that does not grow with `springs`";
+        let [found, expected] = [&found, acceleration].map(|acceleration| numbers(acceleration));
+        let size = expected.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
+        let mut pairs = found.into_iter().zip(expected).enumerate();
+        pairs.try_for_each(|(j, (found, expected))| self.same(what, j, [found, expected], SHARE * size))
     }
 
     /// Whether ground or drives move bodies, given the motion without rates: they have a power of their own then.

@@ -67,7 +67,8 @@ pub trait RotaryLaw<T: Scalar>: Copy + Debug + 'static {
 
     /// Torque on the outboard body (N·m), in its axes, at a relative attitude and angular velocity (axes of that body).
     fn torque(&self, position: &Rotation<T>, rate: &[T; 3]) -> Vector3<T>;
-    /// K̂ of an implicit sweep at a relative attitude and angular velocity, axes of the inboard body.
+    /// K̂ of an implicit sweep at a relative attitude and angular velocity, axes of the inboard body: stiffness times `springs.position` and
+    /// damping times `springs.rate`, so that it vanishes where these do.
     fn pivot(&self, position: &Rotation<T>, rate: &[T; 3], springs: Implicit<T::Real>) -> Symmetric3<T>;
     /// Energy stored (J).
     fn energy(&self, position: &Rotation<T>) -> T;

@@ -2,11 +2,12 @@
 
 use super::geared::Geared;
 use super::tank::{Liquid, Tank};
-use catena::extend::Springs;
 use catena::extend::{Acting, Doubt, JointModel, Kinematics, Release, Resistance, check_element};
+use catena::extend::{Implicit, Springs};
 use catena::internals::relation::Closures;
 use catena::internals::relation::planar::{Full, RelativeGain};
 use catena::internals::shape::{self, JointPosture};
+use catena::nalgebra::Vector3;
 use catena::planar::{
     Acceleration, Frame, Free, Ground, GroundMotion, JointMotion, Pin, Pinned, Planar, RigidBody, Rod, System, Turn,
 };
@@ -282,5 +283,55 @@ fn what_is_wrong_is_named() -> Result<(), catena::Error> {
         let said = words(check_element(&in_space!(stiffening(about, wrong))?, 10));
         assert!(said.contains(word), "{wrong:?}: {said}");
     }
+    Ok(())
+}
+
+/// A spring that stiffens with the turn of a joint of three, −k (1 + φ²) φ, whose pivot may forget by what springs move.
+#[derive(Clone, Copy, Debug)]
+struct Turning<T> {
+    stiffness: T,
+    forgets: bool,
+}
+
+impl<T: Scalar, U: Scalar> catena::Lift<T, U> for Turning<T> {
+    type Over = Turning<U>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Turning<U> {
+        Turning { stiffness: number(self.stiffness), forgets: self.forgets }
+    }
+}
+
+impl<T: Scalar> Turning<T> {
+    /// k (1 + φ²), and φ.
+    fn stiffened(&self, position: &spatial::Rotation<T>) -> (T, Vector3<T>) {
+        let phi = Vector3::from(position.log());
+        (self.stiffness * (T::one() + phi.x * phi.x + phi.y * phi.y + phi.z * phi.z), phi)
+    }
+}
+
+impl<T: Scalar> spatial::RotaryLaw<T> for Turning<T> {
+    fn torque(&self, position: &spatial::Rotation<T>, _: &[T; 3]) -> Vector3<T> {
+        let (stiffened, phi) = self.stiffened(position);
+        phi * -stiffened
+    }
+    fn pivot(&self, position: &spatial::Rotation<T>, _: &[T; 3], springs: Implicit<T::Real>) -> spatial::Symmetric3<T> {
+        let (stiffened, _) = self.stiffened(position);
+        let pivot = if self.forgets { stiffened } else { stiffened.scale(springs.position) };
+        spatial::Symmetric3::of_diagonal(Vector3::repeat(pivot))
+    }
+    fn energy(&self, position: &spatial::Rotation<T>) -> T {
+        let (stiffened, phi) = self.stiffened(position);
+        let square = phi.x * phi.x + phi.y * phi.y + phi.z * phi.z;
+        (stiffened + self.stiffness) * square * T::literal(0.25)
+    }
+    fn check(&self) -> Result<(), Fault> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_rotary_pivot_that_forgets_by_what_springs_move_is_named() -> Result<(), catena::Error> {
+    let scene = |forgets| in_space!(spatial::ElasticHinge::with(Turning { stiffness: 8.0, forgets }));
+    assert_eq!(check_element(&scene(false)?, 10), Ok(()));
+    assert!(words(check_element(&scene(true)?, 10)).contains("does not grow with `springs`"));
     Ok(())
 }
