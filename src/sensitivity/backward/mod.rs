@@ -79,7 +79,7 @@ pub use tape::Tape;
 /// # What it knows
 ///
 /// In the plane `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider` and `ElasticHinge` (with linear springs along axes of
-/// the inboard body, or along those of (33)-(35), each of three laws then of three numbers or less), in tuples, arrays, vectors
+/// the inboard body, along those of (33)-(35), or, by explicit rules, along fixed ones, each of three laws then of three numbers or less), in tuples, arrays, vectors
 /// and branches, named or not, and in loops that a `Pin` or a `Weld` closes (`Network`, `ClosedLoop`), nested or not, from a `Pinned` or
 /// `Clamped` root, or a `Free` one, to free tips, or to those that are `Pinned`, `Clamped` or `Guided` at a place that does not move. The
 /// projection that puts a tip back and closes loops at the end of a step is part of the step, and of the gradient, as many corrections as it

@@ -193,3 +193,32 @@ fn guided() {
         System::new(Pinned::origin(), chain, Guided::at(x(9), x(10), x(11))).unwrap().with_gravity(x(8))
     });
 }
+
+/// Hinges with springs along axes that do not turn, before a tip that is held and in a loop.
+#[test]
+fn springs_along_fixed_axes() {
+    let kinds = [("bodies", 10), ("springs", 8), ("tip, or a weld", 2), ("gravity", 1)];
+    let mut parameters = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2];
+    parameters.extend([20.0, 0.6, 0.1, 30.0, 1.2, 0.05, 18.0, 0.24, 1.9, -0.4, 9.81]);
+    macro_rules! of {
+        ($name:expr, $angles:expr, $joints:expr, |$x:ident, $rod:ident, $rigid:ident, $full:ident| $scene:expr) => {
+            gradients!($name, kinds, parameters.clone(), $angles, $joints, Rk4, 5, 0.01, |$x| {
+                let $rod = Rod::<N>::new($x(0), $x(1), $x(2), $x(3));
+                let $rigid = RigidBody::<N>::new($x(4), $x(5), [$x(6), $x(7)], [$x(8), $x(9)]);
+                let one = Spring::new($x(10)).damped($x(11)).resting_at($x(12));
+                let other = Spring::new($x(13)).damped($x(14)).resting_at($x(15));
+                let $full = ElasticHinge::rotary($x(16)).damped($x(17)).with_linear(one, other).in_fixed_axes();
+                $scene
+            })
+        };
+    }
+    of!("fixed axes, held", vec![-0.3, 0.1, -0.05, 0.4, -0.8], 3, |x, rod, rigid, full| {
+        let chain = (rigid, full, rod, Pin, rod);
+        System::new(Pinned::origin(), chain, Pinned::at(x(18), x(19))).unwrap().with_gravity(x(20))
+    });
+    of!("fixed axes, in a loop", vec![-1.2, 0.6, 0.1, 0.05, -0.4, 0.5, -0.9], 7, |x, rod, rigid, full| {
+        let loops = Network::new((Pin, rod, full, rigid), (Pin, rigid, Pin, rod), Pin);
+        let before = (rod, Weld::at(x(19)), Rod::uniform(x(18), x(1)));
+        System::new(Pinned::origin(), (before, loops), Free).unwrap().with_gravity(x(20))
+    });
+}

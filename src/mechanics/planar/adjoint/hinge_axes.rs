@@ -7,11 +7,19 @@
 //! A_O = A_I + α ẑ×d − ω² d + 2 ω ẑ×u + b        W_O = W_I + w ẑ×d + c
 //! ```
 //!
-//! Along axes that do not turn, of a hinge that is not balanced, only b and c are there.
+//! Along axes that do not turn, of a hinge that is not balanced, only b and c are there. Of one that is balanced the inboard body carries the
+//! outboard point nevertheless, so that the elimination knows ξ̈ = s̈ − α ẑ×d for s̈, and virtual velocities along it:
+//!
+//! ```text
+//! A_O = A_I + α ẑ×d + ξ̈        W_O = W_I + w ẑ×d + c        λ·s̈ = λ·ξ̈ + (λ·ẑ×d) α
+//! ```
+//!
+//! By d, the last of these has the slope −α ẑ×λ, and λ is G at O where springs enter explicitly: what the first of them leaves, α ẑ×G, it takes.
 
 use super::loads::Felt;
 use super::{Pulled, Turning, sum};
-use crate::mechanics::planar::axes::{Inboard, Offset, across};
+use crate::element::{Explicit, Implicit};
+use crate::mechanics::planar::axes::{Fixed, Inboard, Offset, across};
 use crate::mechanics::planar::linear::HingeAxes;
 use crate::mechanics::planar::{Unbalanced, Wrench};
 use crate::relation::Additive;
@@ -34,12 +42,17 @@ pub struct Moved<T> {
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through linear springs along axes `{Self}`",
     label = "not axes that the costate sweep knows",
-    note = "it knows springs along axes of the inboard body, and those that are not balanced (`in_unbalanced_axes`)",
+    note = "it knows springs along axes of the inboard body, along fixed ones, and those that are not balanced (`in_unbalanced_axes`)",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait ReversingAxes: HingeAxes {
     /// What acts at the outboard point, at the inboard one.
     fn inward<T: Scalar>(at: Wrench<T>, offset: Self::Offset<T>) -> Wrench<T>;
+    /// A torque on the inboard body, for costates of the second derivatives of the coordinates, which its angular acceleration changes.
+    fn swung<T: Scalar>(costate: Vector2<T>, offset: Self::Offset<T>) -> T {
+        let _ = (costate, offset);
+        T::zero()
+    }
     /// Costates of the coordinates and of their rates, and what goes inward, from G and F at the outboard point.
     fn pull_back<T: Scalar>(offset: Self::Offset<T>, moved: &Moved<T>, at: Pulled<T>) -> ([Vector2<T>; 2], Pulled<T>);
     /// Pulls back what loads and closures read, likewise: what is carried at the outboard point goes on as it is, but for turns of the inboard body.
@@ -60,6 +73,40 @@ impl ReversingAxes for Unbalanced {
         ([felt.place, felt.velocity], [T::zero(); 2])
     }
 }
+
+impl ReversingAxes for Fixed {
+    #[inline(always)]
+    fn inward<T: Scalar>(at: Wrench<T>, arm: Vector2<T>) -> Wrench<T> {
+        Wrench { torque: plus_dot(at.torque, normal(arm), at.force), ..at }
+    }
+    #[inline(always)]
+    fn swung<T: Scalar>(costate: Vector2<T>, arm: Vector2<T>) -> T {
+        dot(costate, normal(arm))
+    }
+    #[inline(always)]
+    fn pull_back<T: Scalar>(_: Vector2<T>, moved: &Moved<T>, at: Pulled<T>) -> ([Vector2<T>; 2], Pulled<T>) {
+        ([normal(at.force) * moved.turning.stirring, Vector2::null()], at)
+    }
+    #[inline(always)]
+    fn felt<T: Scalar>(_: Vector2<T>, moved: &Moved<T>, felt: &Felt<T>) -> ([Vector2<T>; 2], [T; 2]) {
+        let of_position = felt.place - normal(felt.stirring) * moved.turning.stirring;
+        ([of_position, felt.velocity], [T::zero(); 2])
+    }
+}
+
+/// How springs along axes `A` may enter sweeps through which costates go.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run by an implicit rule goes backward through linear springs along axes `{A}`",
+    label = "not axes that the costate sweep knows under such a rule",
+    note = "it knows springs along axes of the inboard body and those that are not balanced (`in_unbalanced_axes`); by explicit rules also those along fixed axes",
+    note = "run the same scene over jets or dual numbers instead"
+)]
+pub trait Along<A> {}
+
+impl<A> Along<A> for Explicit {}
+impl<R> Along<Inboard> for Implicit<R> {}
+/// Not along fixed ones: there the inboard body's angular acceleration is that of the sweep before.
+impl<R> Along<Unbalanced> for Implicit<R> {}
 
 impl ReversingAxes for Inboard {
     #[inline(always)]

@@ -2,7 +2,7 @@
 //!
 //! The hinge turns what lies at the outboard point, and that point moves along its [axes](super::hinge_axes).
 
-use super::hinge_axes::{Moved, ReversingAxes};
+use super::hinge_axes::{Along, Moved, ReversingAxes};
 use super::laws::{ReversibleLaw, force, strain};
 use super::loads::Felt;
 use super::{AtJoint, LAW_NUMBERS, NUMBERS_OF_JOINT, Outboard, Pulled, Stirred, Turning};
@@ -59,7 +59,7 @@ where
     X: ReversibleLaw<T>,
     Y: ReversibleLaw<T>,
     A: ReversingAxes,
-    By: Springs<T>,
+    By: Springs<T> + Along<A>,
 {
     fn take(
         &self,
@@ -125,6 +125,7 @@ where
     ) -> Wrench<T> {
         let (offset, [of_x, of_y, of_turn]) = (A::offset(x, y, p, q), kept.pivots);
         let LinearGains { rotation, y, x, .. } = kept;
+        let swung = A::swung(slides(costate), offset);
         let left = costate.2 - outer.torque;
         let (force, torque) = (add_scaled(outer.force, -left, rotation.per_acceleration), -left * rotation.per_angular);
         let (mut force, mut torque) = (A::components(force, offset), outer.torque + torque);
@@ -139,7 +140,8 @@ where
         };
         slide(&mut costate.1, y, 1, of_y);
         slide(&mut costate.0, x, 0, of_x);
-        A::inward(Wrench { force: A::inertial(force, offset), torque }, offset)
+        let Wrench { force, torque } = A::inward(Wrench { force: A::inertial(force, offset), torque }, offset);
+        Wrench { force, torque: torque - swung }
     }
 }
 
@@ -166,6 +168,8 @@ where
         (gains.x.free, gains.y.free, gains.rotation.free) = *free;
         let offset = A::at_rest(A::offset(x, y, p, q));
         let velocity = self.recovered::<C>(inner.velocity, offset, &gains, &walk.forces, free);
+        let swing = A::swing(inner.velocity, offset);
+        (free.0, free.1) = (free.0 - swing.x, free.1 - swing.y);
         *torque += free.2;
         let turning = Turning {
             rate: inner.turning.rate + rate.2,

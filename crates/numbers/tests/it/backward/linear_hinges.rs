@@ -68,6 +68,58 @@ fn stiff_hinges_with_linear_springs_have_the_gradients_of_jets() {
     hinges!(Sdirk4::new(), 3, 0.005, 100.0);
 }
 
+/// Springs along axes that do not turn, behind bodies that do, in an arm, and one after the other.
+#[test]
+fn hinges_with_springs_along_fixed_axes_have_the_gradients_of_jets() {
+    let (coordinates, joints) = (11, 6);
+    let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2]; // a rod and a rigid body
+    list.extend([12.0, 0.6, 0.3, 24.0, 1.2, 0.2, 18.0, 0.24]); // springs, dampers, rest values
+    list.extend([0.1, 9.81, 0.2, 3.0, 0.5, 0.4, 0.1]); // the root, gravity, a medium
+    macro_rules! fixed {
+        ($method:expr, $steps:expr) => {
+            let steps = $steps;
+            let mut noise = Noise::new(23);
+            let mut list = list.clone();
+            list.extend((0..coordinates).map(|_| 0.5 * noise.next()));
+            list.extend((0..coordinates).map(|_| noise.next()));
+            list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
+            let kinds = [
+                ("bodies", 10),
+                ("springs", 8),
+                ("root and gravity", 2),
+                ("medium", 5),
+                ("coordinates", coordinates),
+                ("rates", coordinates),
+                ("torques", steps * joints),
+            ];
+            gradients!(
+                &format!("springs along fixed axes, {:?}", $method),
+                &kinds,
+                list,
+                [coordinates, joints],
+                $method,
+                steps,
+                0.02,
+                |x| {
+                    let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
+                    let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
+                    let one = Spring::new(x(10)).damped(x(11)).resting_at(x(12));
+                    let other = Spring::new(x(13)).damped(x(14)).resting_at(x(15));
+                    let full = ElasticHinge::rotary(x(16)).damped(x(17)).with_linear(one, other).in_fixed_axes();
+                    let half = ElasticHinge::linear(other, Absent).in_fixed_axes();
+                    let chain = (Pin, rigid, Branch((half, rod)), full, rigid, Revolute::smooth(), rod, full, rigid);
+                    System::new(Clamped::at(N::constant(0.2), N::constant(0.1), x(18)), chain, Free)
+                        .unwrap()
+                        .with_gravity(x(19))
+                },
+                under(5, |x| { Medium { drag: x(20), stiffness: x(21), anchor: [x(22), x(23)], brake: x(24) } })
+            );
+        };
+    }
+    fixed!(Rk4, 6);
+    fixed!(Dop853, 2);
+}
+
 /// A rod, whose mass at its inboard end is the root's, a body on a pin and one on a hinge, in a medium.
 #[test]
 fn chains_that_float_have_the_gradients_of_jets() {
