@@ -150,7 +150,7 @@ where
         let here = (position, rate);
         self.scene.implicit_accelerations(*time, here, here, reading, springs, &Unloaded, &mut workspace, &mut found);
         let what = "implicit sweep without a step against explicit sweep: a pivot that does not grow with `springs`";
-        let [found, expected] = [&found, acceleration].map(|acceleration| numbers(acceleration));
+        let [found, expected] = [&found, acceleration].map(numbers);
         let size = expected.iter().fold(1.0_f64, |size, x| size.max(x.abs()));
         let mut pairs = found.into_iter().zip(expected).enumerate();
         pairs.try_for_each(|(j, (found, expected))| self.same(what, j, [found, expected], SHARE * size))
