@@ -99,8 +99,8 @@ impl<T: Scalar> Tie<T> {
 /// `Prismatic` in space, [`Hinge`](crate::robot::Hinge) and [`Slide`](crate::robot::Slide) of robots, with springs, friction or stops or without, and joints of one's
 /// own. The angle of a `Pin` is that of its body, so that it is refused.
 ///
-/// [`Fault::Shape`](crate::Fault::Shape) in a scene with vectors of other lengths; [`Fault::Unsupported`](crate::Fault::Unsupported) in equilibria, modes, transfer matrices and the scheme of
-/// [`paper`](crate::paper). Runs go backward [under](crate::sensitivity::Backward::under) couplings where nothing is held or closed, by their
+/// [`Fault::Shape`](crate::Fault::Shape) in a scene with vectors of other lengths; [`Fault::Unsupported`](crate::Fault::Unsupported) in transfer matrices and the scheme of
+/// [`paper`](crate::paper). Equilibria and modes know them. Runs go backward [under](crate::sensitivity::Backward::under) couplings where nothing is held or closed, by their
 /// [ratios](crate::sensitivity::Gradient::by_ratios), too. Taylor series do not compile with them.
 ///
 /// ```

@@ -124,7 +124,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// to 1e-9.
     ///
     /// # Errors
-    /// [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6 (over `f32` 2e-3), infinite for a scene that falls freely;
+    /// [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6 (over `f32` 2e-3), infinite for a scene that falls freely;
     /// [`Fault::NotConservative`] for loads without a potential; [`Fault::Unsupported`] where joints stick, over lanes, and where the ground
     /// or a drive moves a body so that its velocity changes with the coordinates (a rotor: its modes are gyroscopic), with the station of
     /// the body, or of what is held there, without one; those of a sweep.
@@ -132,11 +132,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
-        Self::rests_alone::<L>()?;
+        Self::rests_alone()?;
         let error = |fault| Error::new(fault).at_time(rest.time.as_f64());
         let mut workspace = self.workspace();
         let mut still = rest.clone();
         still.rate.replace(&mut |_| S::Scalar::zero());
+        self.suited(&still, loads)?;
         self.accelerate(&mut still, loads, &mut workspace)?;
         let near = self.linearise(&still, loads, &mut self.stiff_workspace());
         let n = near.tangent.dimension();

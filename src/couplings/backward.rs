@@ -4,7 +4,7 @@ use super::solve::solved;
 use super::{Couplings, at, numbered};
 use crate::adjoint::{Beside, BodyLaw, LoadCostates, OfLaw, ReversibleLoads, Ties};
 use crate::error::Fault;
-use crate::loading::{EffortOf, LoadLaw, Loading, Unloaded};
+use crate::loading::{EffortOf, LoadLaw, Loading, Unloaded, suits};
 use crate::mechanics::planar::{self, Planar};
 use crate::mechanics::spatial::{self, Spatial};
 use crate::mirror::{Position, Rate};
@@ -67,7 +67,7 @@ impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
         Loading::<S>::check(self, bodies, joints)
     }
     fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
-        Loading::<S>::suits(self, position, rate)
+        suits::<S, P>(self, position, rate)
     }
 }
 

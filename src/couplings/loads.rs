@@ -2,12 +2,12 @@
 
 use super::solve::solved;
 use super::{Couplings, Tie, unit};
-use crate::element::{Loading, RealOf};
+use crate::element::{Level, Loading, RealOf};
 use crate::error::Fault;
-use crate::loading::EffortOf;
+use crate::loading::{EffortOf, missed_beyond};
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
-use crate::scalar::{Elementary, Real, Scalar};
+use crate::scalar::{Real, Scalar};
 use crate::transfer::{Efforts, FromEfforts};
 use num_traits::{One, Zero};
 
@@ -51,17 +51,6 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
         Answers { free, sizes, responses }
     }
 
-    /// What a follower misses, of its place or of its rate, by more than a share of the size of one and its own; what is no number passes: sweeps
-    /// say so.
-    fn beyond<P: Position<T>>(&self, position: &P, rate: &P::Rate, share: T::Real) -> Option<T::Real> {
-        let places = self.apart(position).into_iter().zip(self.places(position));
-        let mut all = places.chain(self.missed(rate).into_iter().zip(self.rates(rate)));
-        let far = |(missed, [follower, _]): &(T, [T; 2])| {
-            missed.real().abs() > share * (T::Real::one() + follower.real().abs())
-        };
-        all.find(far).map(|(missed, _)| missed.real().abs())
-    }
-
     /// The shares of responses that undo what is missed.
     pub(super) fn solved<V: Rate<T>>(&self, responses: &[V; K], missed: [T; K]) -> [T; K] {
         let columns = responses.each_ref().map(|response| self.missed(response));
@@ -82,9 +71,9 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
         effort
     }
 
-    /// These loads with forces λ.
+    /// These loads with forces λ that are given.
     pub(super) fn pulling(&self, forces: [T; K]) -> Self {
-        Self { forces, ..self.clone() }
+        Self { forces, given: true, ..self.clone() }
     }
 }
 
@@ -124,9 +113,16 @@ where
         }
         self.others.check(bodies, joints)
     }
-    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
-        let beyond = self.beyond(position, rate, Elementary::sqrt(RealOf::<S>::EPSILON));
-        beyond.map_or(Ok(()), |missed| Err(Fault::NotAssembled { residual: missed.as_f64() }))
+    fn each_miss<P: Position<S::Scalar>>(
+        &self,
+        position: &P,
+        rate: &P::Rate,
+        tell: &mut impl FnMut(Level, S::Scalar, S::Scalar),
+    ) {
+        let places = self.apart(position).into_iter().zip(self.places(position));
+        places.for_each(|(missed, [follower, _])| tell(Level::Place, missed, follower));
+        let rates = self.missed(rate).into_iter().zip(self.rates(rate));
+        rates.for_each(|(missed, [follower, _])| tell(Level::Velocity, missed, follower));
     }
     fn accelerated<V: Rate<S::Scalar>>(&self, read: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
         if self.given {
@@ -150,7 +146,8 @@ where
         rate: &mut P::Rate,
         mut sweep: impl FnMut(&Self, &P, &P::Rate, &mut P::Rate),
     ) -> bool {
-        let there = self.beyond(position, rate, RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS)).is_none();
+        let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS);
+        let there = missed_beyond::<S, P>(self, position, rate, rounding).is_none();
         // Derivatives follow real parts.
         if there && size_of::<S::Scalar>() == size_of::<RealOf<S>>() {
             return true;

@@ -71,14 +71,13 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
         let (still, mut workspace) = (moving(scene), scene.workspace());
         let (mut free, mut moved) = (still.rate.clone(), still.rate.clone());
         let Motion { time, position, rate, .. } = &still;
-        let given = |forces| Self { given: true, ..self.pulling(forces) };
-        if scene.accelerate(&mut still.clone(), &given([T::zero(); K]), &mut workspace).is_err() {
+        if scene.accelerate(&mut still.clone(), &self.pulling([T::zero(); K]), &mut workspace).is_err() {
             return Ok(()); // where closures do not hold a scene it says nothing of itself
         }
-        scene.accelerations(*time, position, rate, &given([T::zero(); K]), &mut workspace, &mut free);
+        scene.accelerations(*time, position, rate, &self.pulling([T::zero(); K]), &mut workspace, &mut free);
         let mut inertias = [T::Real::one(); K];
         for (k, inertia) in inertias.iter_mut().enumerate() {
-            scene.accelerations(*time, position, rate, &given(unit(k, T::one())), &mut workspace, &mut moved);
+            scene.accelerations(*time, position, rate, &self.pulling(unit(k, T::one())), &mut workspace, &mut moved);
             let [free, moved] = [&free, &moved].map(|rate| self.missed(rate)[k].real());
             let found = (moved - free).abs().recip();
             // Of a joint that does not move there nothing is known.

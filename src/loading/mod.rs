@@ -12,7 +12,10 @@ pub type EffortOf<S> = <<S as Space>::JointMotion as Seen>::Load;
 use crate::error::Fault;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Absent, Part, Wrench, WrenchOf};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::space::{MovingBody, RealOf, Space};
+use crate::visit::Level;
+use num_traits::One;
 
 /// What acts on a scene besides uniform gravity. Its types say what a sweep has to carry: [`Absent`] parts cost nothing.
 pub trait Loading<S: Space> {
@@ -84,13 +87,14 @@ pub trait Loading<S: Space> {
         true
     }
 
-    /// Refuses positions and rates that are not as these loads hold them.
-    ///
-    /// # Errors
-    /// [`Fault::NotAssembled`].
-    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
-        let _ = (position, rate);
-        Ok(())
+    /// Tells by how much coordinates are not where these loads hold them, or not as fast, and the coordinates or their rates.
+    fn each_miss<P: Position<S::Scalar>>(
+        &self,
+        position: &P,
+        rate: &P::Rate,
+        tell: &mut impl FnMut(Level, S::Scalar, S::Scalar),
+    ) {
+        let _ = (position, rate, tell);
     }
 
     /// Refuses loads that do not fit a scene with so many bodies and joints: lists of another length, bodies that do not exist.
@@ -101,6 +105,34 @@ pub trait Loading<S: Space> {
         let _ = (bodies, joints);
         Ok(())
     }
+}
+
+/// What a coordinate misses, of its place or of its rate, by more than a share of the size of one and its own; what is no number passes: sweeps
+/// say so.
+pub(crate) fn missed_beyond<S: Space, P: Position<S::Scalar>>(
+    loads: &impl Loading<S>,
+    position: &P,
+    rate: &P::Rate,
+    share: RealOf<S>,
+) -> Option<RealOf<S>> {
+    let mut found = None;
+    loads.each_miss(position, rate, &mut |_, missed, own| {
+        let (missed, own) = (missed.real().abs(), own.real().abs());
+        if missed > share * (RealOf::<S>::one() + own) {
+            found = found.or(Some(missed));
+        }
+    });
+    found
+}
+
+/// Refuses positions and rates that are not as loads hold them.
+pub(crate) fn suits<S: Space, P: Position<S::Scalar>>(
+    loads: &impl Loading<S>,
+    position: &P,
+    rate: &P::Rate,
+) -> Result<(), Fault> {
+    let beyond = missed_beyond(loads, position, rate, RealOf::<S>::EPSILON.sqrt());
+    beyond.map_or(Ok(()), |missed| Err(Fault::NotAssembled { residual: missed.as_f64() }))
 }
 
 /// Refuses a list that is not as long as it must be.

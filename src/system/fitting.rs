@@ -3,6 +3,7 @@
 use crate::element::{Element, Loading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::loading::suits;
 use crate::motion::Motion;
 use crate::scalar::Real;
 use crate::system::{MotionOf, System};
@@ -45,6 +46,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     #[inline]
     pub(crate) fn suited<L: Loading<S>>(&self, motion: &MotionOf<S, R, C, P>, loads: &L) -> Result<(), Error> {
         let Motion { time, position, rate, .. } = motion;
-        loads.suits(position, rate).map_err(|fault| Error::new(fault).at_time(time.as_f64()))
+        suits::<S, _>(loads, position, rate).map_err(|fault| Error::new(fault).at_time(time.as_f64()))
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Dynamics, MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, coordinates};
 use crate::dense::{Matrix, Tangent};
-use crate::element::{Element, Implicit, Loading, Reading, RealOf, Space};
+use crate::element::{Element, Implicit, Level, Loading, Reading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::mechanics::planar::{self, Planar};
 use crate::mechanics::spatial::{self, Spatial};
@@ -129,7 +129,7 @@ impl<T: Scalar> Inertial for Spatial<T> {
 /// A scene near a position, in the directions that its closures leave open. Linear maps are real; of dual numbers they hold the
 /// real part.
 pub(crate) struct Linear<R> {
-    /// Directions that closures leave open.
+    /// Directions that closures and couplings leave open.
     pub tangent: Tangent<R>,
     /// Root of the mass matrix: weighted velocities of bodies for unit rates, so that M = rootᵀ root.
     pub root: Matrix<R>,
@@ -187,14 +187,23 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         drift
     }
 
-    /// The directions that closures leave open.
-    fn tangent(&self, still: &MotionOf<S, R, C, P>, freedoms: usize) -> Tangent<RealOf<S>> {
-        let drift = self.drift(still);
+    /// The directions that closures and couplings leave open.
+    fn tangent<L: Loading<S>>(&self, still: &MotionOf<S, R, C, P>, loads: &L, freedoms: usize) -> Tangent<RealOf<S>> {
+        let missed = |motion: &MotionOf<S, R, C, P>| {
+            let mut all = self.drift(motion);
+            loads.each_miss(&motion.position, &motion.rate, &mut |level, missed, _| {
+                if let Level::Velocity = level {
+                    all.push(missed.real());
+                }
+            });
+            all
+        };
+        let drift = missed(still);
         let mut rows: Vec<Vec<RealOf<S>>> = vec![vec![]; drift.len()];
         let mut moving = still.clone();
         for j in 0..if rows.is_empty() { 0 } else { freedoms } {
             set(&mut moving.rate, unit(freedoms, j));
-            for (row, (with, without)) in rows.iter_mut().zip(self.drift(&moving).into_iter().zip(&drift)) {
+            for (row, (with, without)) in rows.iter_mut().zip(missed(&moving).into_iter().zip(&drift)) {
                 row.push(with - *without);
             }
         }
@@ -214,7 +223,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let none = RealOf::<S>::zero();
         let step = step::<RealOf<S>>();
         let freedoms = numbers(&still.rate).len();
-        let tangent = self.tangent(still, freedoms);
+        let tangent = self.tangent(still, loads, freedoms);
         let (mut direction, mut acceleration) = (still.rate.clone(), still.rate.clone());
         let mut place: PositionOf<S, R, C> = still.position.clone();
         // Conditions that follow from others do so where all are met: there displacements have to stay, and go along the directions left open.

@@ -36,8 +36,8 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// (about all axes of a ball alike) times a μ that is large enough leads downhill, as the work done on the way proves; near a
     /// stable equilibrium μ vanishes, and digits double. A heavy load on a rope of 50 segments in space falls from the
     /// horizontal to rest in 14 steps. An unstable equilibrium is found from a guess within 0.01 rad of it. A
-    /// tip that the guess does not put where it is held is put there first, as by [`assembled`](Self::assembled). Loads
-    /// are arbitrary functions of the motion, with a potential or without.
+    /// tip that the guess does not put where it is held is put there first, as by [`assembled`](Self::assembled), and so are joints that follow
+    /// others ([`Couplings`](crate::planar::Couplings)). Loads are arbitrary functions of the motion, with a potential or without.
     ///
     /// A step takes sixteen sweeps for each coordinate and dense algebra, so this is for some hundreds of coordinates. What is
     /// left is rounding: 4e-15 rad for a hundred links with springs, 1e-13 rad for a catenary of 150. Over dual numbers the
@@ -66,7 +66,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
-        Self::rests_alone::<L>()?;
+        Self::rests_alone()?;
         let real = RealOf::<S>::of;
         let mut workspace = self.workspace();
         let mut stiff = self.stiff_workspace();
@@ -123,19 +123,17 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Err(self.unsettled(&now))
     }
 
-    /// Refuses scenes in which joints have modes, for these rest anywhere within what friction and stops hold, and lanes, each of which rests elsewhere;
-    /// and loads that couple coordinates, of which one alone cannot be moved.
-    pub(crate) fn rests_alone<L: Loading<S>>() -> Result<(), Error> {
+    /// Refuses scenes in which joints have modes, for these rest anywhere within what friction and stops hold, and lanes, each of which rests elsewhere.
+    pub(crate) fn rests_alone() -> Result<(), Error> {
         let refuse = |what| Err(Error::new(Fault::Unsupported { what }));
         match (PositionOf::<S, R, C>::MODES, S::Scalar::LANES) {
             (true, _) => refuse("equilibria and modes of vibration of joints that stick or have hard stops"),
             (_, true) => refuse("equilibria and modes of vibration of several lanes"),
-            _ if L::COUPLED => refuse("equilibria and modes of vibration of joints that are coupled"),
             _ => Ok(()),
         }
     }
 
-    /// Puts the tip where it is held, without rates, and finds the accelerations.
+    /// Puts the tip where it is held and joints where they are coupled, without rates, and finds the accelerations.
     fn settle<L: Loading<S>>(
         &self,
         motion: &mut MotionOf<S, R, C, P>,
@@ -146,6 +144,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
         self.hold(motion, loads, workspace)?;
+        if const { L::COUPLED && Self::CLOSED == 0 } {
+            let time = motion.time;
+            loads.rejoined(&mut motion.position, &mut motion.rate, |loads, position, rate, found| {
+                self.accelerations(time, position, rate, loads, workspace, found);
+            });
+        }
         // A tip whose ground moves has given it rates.
         motion.rate.replace(&mut |_| S::Scalar::zero());
         self.accelerate(motion, loads, workspace)

@@ -182,6 +182,31 @@ fn two_arms_fall_as_the_one_freedom_that_is_left() -> Result<(), Error> {
     Ok(())
 }
 
+/// On a spring at the shoulder they rest where its energy and that of their weights are least, and swing as one body.
+#[test]
+fn two_arms_rest_and_swing_as_the_one_freedom_that_is_left() -> Result<(), Error> {
+    let (stiffness, unloaded) = (300.0, 1.25);
+    let (scene, couplings) = symmetric!(ElasticHinge::rotary(stiffness).resting_at(unloaded));
+    let mut start = scene.motion();
+    start.set_coordinates(&coordinates(1.0, 0.0)[0])?;
+    let rest = scene.equilibrium(couplings.joined(start), &couplings)?;
+    let energy = |theta: f64| energies(theta)[1] + 0.5 * stiffness * (theta - unloaded) * (theta - unloaded);
+    let theta = rest.coordinates()[0];
+    rest.coordinates().iter().zip(coordinates(theta, 0.0)[0]).for_each(|(x, y)| near(*x, y, 1e-13));
+    // Differences of order four.
+    let (h, at) = (1e-2, |steps: f64, h: f64| energy(theta + steps * h));
+    let slope = (8.0 * (at(1.0, 1e-3) - at(-1.0, 1e-3)) - (at(2.0, 1e-3) - at(-2.0, 1e-3))) / 12e-3;
+    near(slope, 0.0, 1e-9);
+    let curvature =
+        (16.0 * (at(1.0, h) + at(-1.0, h)) - (at(2.0, h) + at(-2.0, h)) - 30.0 * energy(theta)) / (12.0 * h * h);
+    let frequency = (curvature / energies(theta)[0]).sqrt();
+    let modes = scene.modes(&rest, &couplings)?;
+    assert_eq!(modes.len(), 1);
+    modes.frequencies().for_each(|found| near(found, frequency, 1e-6 * frequency));
+    println!("rest at {theta} rad, {frequency} rad/s, found {:?}", modes.frequencies().collect::<Vec<f64>>());
+    Ok(())
+}
+
 #[test]
 fn all_rules_keep_what_is_coupled_and_closed() -> Result<(), Error> {
     let (scene, couplings) = symmetric!();

@@ -319,6 +319,46 @@ fn derivatives_go_through_couplings() -> Result<(), Error> {
     Ok(())
 }
 
+/// Two plates on a spring rest where its torque and both weights balance, and swing as one body: equilibria, their derivatives, and modes.
+#[test]
+fn plates_rest_and_swing_as_the_one_that_they_are() -> Result<(), Error> {
+    const STIFFNESS: f64 = 12.0;
+    macro_rules! rest {
+        ($number:expr, $ratio:expr) => {{
+            let left = ElasticHinge::rotary($number(STIFFNESS)).resting_at($number(0.1));
+            let plate = |[mass, inertia, x, y]: [f64; 4]| {
+                RigidBody::new($number(mass), $number(inertia), [x, y].map($number), [0.5, 0.0].map($number))
+            };
+            let chain = (Branch((left, plate(LEFT))), Revolute::smooth(), plate(RIGHT));
+            let ground = Clamped::at($number(0.0), $number(0.0), $number(0.0));
+            let scene = System::new(ground, chain, Free)?.with_gravity($number(GRAVITY));
+            let couplings = Couplings::of(&scene, [Coupling::new(2, 1).ratio($ratio).offset($number(OFFSET))])?;
+            let rest = scene.equilibrium(couplings.joined(scene.motion()), &couplings)?;
+            (scene, couplings, rest)
+        }};
+    }
+    let (scene, couplings, rest) = rest!(|x: f64| x, RATIO);
+    let [angle, other] = rest.coordinates()[..] else { unreachable!() };
+    near(other, RATIO * angle + OFFSET, 1e-15);
+    let ([inertia, weight], [other_inertia, other_weight]) = (about_joint(LEFT, angle), about_joint(RIGHT, other));
+    near(-STIFFNESS * (angle - 0.1) + weight + RATIO * other_weight, 0.0, 1e-13);
+    // Slopes of weights' torques: m g (x sin φ + y cos φ).
+    let slope = |[mass, _, x, y]: [f64; 4], angle: f64| mass * GRAVITY * (x * angle.sin() + y * angle.cos());
+    let stiffness = STIFFNESS - slope(LEFT, angle) - RATIO * RATIO * slope(RIGHT, other);
+    let modes = scene.modes(&rest, &couplings)?;
+    let frequency = (stiffness / (inertia + RATIO * RATIO * other_inertia)).sqrt();
+    assert_eq!(modes.len(), 1);
+    for mode in modes.iter() {
+        near(mode.frequency(), frequency, 1e-12 * frequency);
+        near(mode.shape()[1] / mode.shape()[0], RATIO, 1e-14);
+    }
+    type T = Jet<f64, 1>;
+    let (.., seeded) = rest!(T::of, T::seed(RATIO, 0));
+    let by_ratio = (other_weight + RATIO * slope(RIGHT, other) * angle) / stiffness;
+    near(seeded.coordinates()[0].eps[0], by_ratio, 1e-12);
+    Ok(())
+}
+
 fn spatial_joint() -> spatial::Revolute<f64> {
     spatial::Revolute::about([0.0, 0.0, 1.0])
 }
@@ -426,9 +466,13 @@ fn what_is_no_coupling_is_refused() -> Result<(), Error> {
     let [leader, follower] = start.rates()[..] else { unreachable!() };
     start.set_rates(&[leader, follower * (1.0 + 4.0 * f32::EPSILON)])?;
     single.with_accelerations(start, &geared)?;
+    let mut apart = scene.motion();
+    apart.set_coordinates(&[0.3, 0.0])?;
+    let error = scene.modes(&apart, &couplings).expect_err("modes");
+    assert!(matches!(error.fault, Fault::NotAssembled { .. }), "{error}");
+    let rest = scene.equilibrium(apart, &couplings)?.coordinates(); // it is put together first
+    near(rest[1], RATIO * rest[0] + OFFSET, 1e-14);
     let start = couplings.joined(scene.motion());
-    assert!(unsupported(scene.equilibrium(start, &couplings).expect_err("an equilibrium")));
-    assert!(unsupported(scene.modes(&start, &couplings).expect_err("modes")));
     let error = scene.transfer_matrix::<_, 7>(&start, &couplings, |_, _| ()).expect_err("a matrix");
     assert!(error.to_string().contains("couplings"), "{error}");
     // In another scene of the same type.
