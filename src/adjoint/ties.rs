@@ -4,11 +4,11 @@
 //!
 //! ```text
 //! M a + c = τ + Cᵀλ,  C a = 0:           λ = −G⁻¹ C a₀         a = a₀ + r λ
-//! M w + Cᵀν = λ_a,    C w = 0:           ν = G⁻¹ rᵀ λ_a
+//! M w + Cᵀν = λ_a,    C w = 0:           ν = G⁻¹ C w₀         w = w₀ − r ν
 //! by the ratio of a follower f to its leader l:               ν a_l − λ w_l
 //! ```
 //!
-//! where a₀ are accelerations without. Offsets stand in the start alone.
+//! where a₀ are accelerations without, and w₀ = M⁻¹ λ_a. Offsets stand in the start alone.
 
 use crate::error::Fault;
 use crate::loading::EffortOf;
@@ -26,13 +26,11 @@ pub trait Ties<S: Space>: Copy {
     fn each<X: Clone>(value: &X) -> Self::Each<X>;
     /// Adds Cᵀ times shares to costates of rates, or to forces along them.
     fn spread<V: Rate<S::Scalar>>(&self, shares: &Self::Each<S::Scalar>, along: &mut V);
-    /// λ = −G⁻¹ C a₀.
+    /// λ = −G⁻¹ C a₀, or −ν by w₀ for a₀.
     fn balanced<V: Rate<S::Scalar>>(&self, responses: &Self::Each<V>, free: &V) -> Self::Each<S::Scalar>;
-    /// ν = G⁻¹ rᵀ λ_a.
-    fn weights<V: Rate<S::Scalar>>(&self, responses: &Self::Each<V>, costate: &V) -> Self::Each<S::Scalar>;
     /// Adds what forces λ exert in a joint.
     fn exert(&self, joint: usize, forces: &Self::Each<S::Scalar>, effort: &mut EffortOf<S>);
-    /// Adds costates of ratios, by λ and ν, a and w.
+    /// Adds costates of ratios, by λ and −ν, a and w.
     fn weigh<V: Rate<S::Scalar>>(
         &self,
         forces: [&Self::Each<S::Scalar>; 2],
@@ -54,9 +52,6 @@ impl<S: Space> Ties<S> for () {
     }
     fn spread<V: Rate<S::Scalar>>(&self, _: &[S::Scalar; 0], _: &mut V) {}
     fn balanced<V: Rate<S::Scalar>>(&self, _: &[V; 0], _: &V) -> [S::Scalar; 0] {
-        []
-    }
-    fn weights<V: Rate<S::Scalar>>(&self, _: &[V; 0], _: &V) -> [S::Scalar; 0] {
         []
     }
     fn exert(&self, _: usize, _: &[S::Scalar; 0], _: &mut EffortOf<S>) {}

@@ -1,6 +1,5 @@
 //! Couplings in runs that go backward, as [`Ties`] beside what acts on bodies.
 
-use super::solve::solved;
 use super::{Couplings, at, numbered};
 use crate::adjoint::{Beside, BodyLaw, LoadCostates, OfLaw, ReversibleLoads, Ties};
 use crate::error::Fault;
@@ -34,33 +33,20 @@ impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
     fn balanced<V: Rate<S::Scalar>>(&self, responses: &[V; K], free: &V) -> [S::Scalar; K] {
         self.solved(responses, self.missed(free))
     }
-    fn weights<V: Rate<S::Scalar>>(&self, responses: &[V; K], costate: &V) -> [S::Scalar; K] {
-        let columns = responses.each_ref().map(|response| self.missed(response));
-        let measures = core::array::from_fn(|k| self.moved(k, &responses[k]));
-        let paired = responses.each_ref().map(|response| {
-            let mut sum = S::Scalar::zero();
-            response.all(costate, &mut |response, costate| {
-                sum += response * costate;
-                true
-            });
-            sum
-        });
-        solved(columns, measures, paired)
-    }
     fn exert(&self, joint: usize, forces: &[S::Scalar; K], effort: &mut EffortOf<S>) {
         let none = S::Scalar::zero();
         *effort = *effort + S::of_efforts([self.exerted(joint, forces), none, none]);
     }
     fn weigh<V: Rate<S::Scalar>>(
         &self,
-        [forces, weights]: [&[S::Scalar; K]; 2],
+        [forces, minus_weights]: [&[S::Scalar; K]; 2],
         [acceleration, stirred]: [&V; 2],
         of_ratios: &mut [S::Scalar],
     ) {
         let [accelerations, stirred] = [acceleration, stirred].map(|motion| self.rates(motion));
         for (k, sum) in of_ratios.iter_mut().enumerate().take(K) {
             let ([_, acceleration], [_, w]) = (accelerations[k], stirred[k]);
-            *sum += weights[k] * acceleration - forces[k] * w;
+            *sum -= minus_weights[k] * acceleration + forces[k] * w;
         }
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {

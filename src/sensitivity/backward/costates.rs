@@ -250,16 +250,16 @@ where
     ) {
         let frame = self.scene.ground(time);
         gradient.times = Some([gradient.times.map_or(time, |[last, _]| last), time]);
-        let weights = if const { Self::TIED } { Some(self.untie(stage)) } else { None };
+        let minus_weights = if const { Self::TIED } { self.untie(start, &frame, (stage, slope)) } else { None };
         let (weight, stirred) = self.stir(start, &frame, (stage, slope));
         let elements = self.scene.elements();
         let Stage { x, y, p, q, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } = stage;
         let acceleration = if Self::CHARTED && start.is_none() { acceleration } else { slope };
         let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
         let free = &mut self.of_acceleration;
-        if let Some(weights) = &weights {
+        if let Some(minus_weights) = &minus_weights {
             let ratios = L::of_ratios(&mut gradient.law);
-            self.loads.law.ties().weigh([&stage.tensions, weights], [acceleration, &*free], ratios);
+            self.loads.law.ties().weigh([&stage.tensions, minus_weights], [acceleration, &*free], ratios);
         }
         let mut pulled = S::Pulled::null();
         if const { Self::HELD } {

@@ -177,7 +177,7 @@ where
     /// ([`Couplings::and`](crate::planar::Couplings::and)), where nothing is held or closed; derivatives by their ratios are in
     /// [`Gradient::by_ratios`](crate::sensitivity::Gradient::by_ratios), and along whatever makes them in
     /// [`Gradient::along_couplings`](crate::sensitivity::Gradient::along_couplings). A sweep of `K` of them is an elimination more and `K` solutions
-    /// through its gains; costates take none more.
+    /// through its gains; costates take one more.
     ///
     /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`](crate::sensitivity::Gradient::along).
     /// A law that does not fit the scene ([`LoadLaw::check`](crate::loading::LoadLaw::check)) is refused by whatever runs or differentiates.

@@ -187,7 +187,7 @@ pub use tape::Tape;
 /// Sweeps before the last are made a third time on the way back.
 ///
 /// Seven rods on revolutes of which the first is driven take 3.6 plain runs' instructions with their gradient, seven rigid bodies in space 3.8;
-/// under a coupling 3.3 and 2.9 of those under it (RK4, x86-64-v3).
+/// under a coupling 3.6 and 2.9 of those under it (RK4, x86-64-v3).
 ///
 /// One costate serves any number of derivatives; how the cost depends on their number was not measured. Runs
 /// [on a tape](Self::gradient_on_tape) take 1.7 plain runs with their gradient (RK4, n = 20, 50 steps), runs of which

@@ -10,6 +10,7 @@ use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::Additive;
 use crate::shape::PerJoint;
+use crate::space::FrameOf;
 use crate::system::{Elements, MotionOf, RateOf};
 use crate::walks::{copy::copy, unspread};
 use num_traits::{One, Zero};
@@ -41,19 +42,16 @@ where
     ) {
         let Some((mut efforts, mut response)) = self.tying.take() else { return };
         let (ties, frame) = (self.loads.law.ties(), self.scene.ground(time));
-        // On the way back costates wait in both.
-        core::mem::swap(&mut self.of_torques, &mut efforts);
-        core::mem::swap(&mut self.of_acceleration, &mut response);
-        for k in 0..<L::Ties as Ties<S>>::COUNT {
-            let mut unit = <L::Ties as Ties<S>>::each(&S::Scalar::zero());
-            unit.as_mut()[k] = S::Scalar::one();
-            self.of_acceleration.set(&self.zero);
-            ties.spread(&unit, &mut self.of_acceleration);
-            self.stir(start, &frame, (stage, free));
-            stage.responses.as_mut()[k].set(&self.of_acceleration);
-        }
-        core::mem::swap(&mut self.of_torques, &mut efforts);
-        core::mem::swap(&mut self.of_acceleration, &mut response);
+        self.aside((&mut efforts, &mut response), |steps| {
+            for k in 0..<L::Ties as Ties<S>>::COUNT {
+                let mut unit = <L::Ties as Ties<S>>::each(&S::Scalar::zero());
+                unit.as_mut()[k] = S::Scalar::one();
+                steps.of_acceleration.set(&steps.zero);
+                ties.spread(&unit, &mut steps.of_acceleration);
+                steps.stir(start, &frame, (stage, free));
+                stage.responses.as_mut()[k].set(&steps.of_acceleration);
+            }
+        });
         stage.tensions = ties.balanced(&stage.responses, free);
         let (elements, mut joint) = (self.scene.elements(), 0);
         copy::<S, _, PerJoint<EffortOf<S>>>(elements, &self.torques, &mut efforts);
@@ -64,13 +62,36 @@ where
         self.tying = Some((efforts, response));
     }
 
-    /// Takes Cᵀν from the costates of the accelerations of a stage, which then move no coupling; gives ν.
-    pub(super) fn untie(&mut self, stage: &StageOf<S, R, C, P, L>) -> <L::Ties as Ties<S>>::Each<S::Scalar> {
+    /// Takes Cᵀν from the costates of the accelerations of a stage, which then move no coupling; gives −ν.
+    #[allow(clippy::type_complexity)] // two in one argument
+    pub(super) fn untie(
+        &mut self,
+        start: Option<&MotionOf<S, R, C, P>>,
+        frame: &FrameOf<S>,
+        known: (&StageOf<S, R, C, P, L>, &RateOf<S, R, C>),
+    ) -> Option<<L::Ties as Ties<S>>::Each<S::Scalar>> {
+        let (mut efforts, mut response) = self.tying.take()?;
+        response.set(&self.of_acceleration);
+        self.aside((&mut efforts, &mut response), |steps| {
+            steps.stir(start, frame, known);
+        });
         let ties = self.loads.law.ties();
-        let weights = ties.weights(&stage.responses, &self.of_acceleration);
-        let mut against = weights.clone();
-        against.as_mut().iter_mut().for_each(|share| *share = -*share);
-        ties.spread(&against, &mut self.of_acceleration);
-        weights
+        let minus_weights = ties.balanced(&known.0.responses, &response);
+        ties.spread(&minus_weights, &mut self.of_acceleration);
+        self.tying = Some((efforts, response));
+        Some(minus_weights)
+    }
+
+    /// Solves for other costates than those that wait, of torques and of accelerations.
+    fn aside(
+        &mut self,
+        (efforts, costates): (&mut TorquesOf<S, R, C>, &mut RateOf<S, R, C>),
+        solve: impl FnOnce(&mut Self),
+    ) {
+        core::mem::swap(&mut self.of_torques, efforts);
+        core::mem::swap(&mut self.of_acceleration, costates);
+        solve(self);
+        core::mem::swap(&mut self.of_torques, efforts);
+        core::mem::swap(&mut self.of_acceleration, costates);
     }
 }

@@ -92,6 +92,45 @@ fn coupled_joints_have_the_gradients_of_jets_by_implicit_rules() {
     coupled!("coupled, generalised-α", 74, GeneralizedAlpha::new(0.8), 4);
 }
 
+/// Behind a hinge with springs along axes that do not turn: its virtual velocities are not those of its coordinates.
+#[test]
+fn coupled_joints_behind_fixed_axes_have_the_gradients_of_jets() {
+    let (steps, coordinates, joints) = (5, 6, 5);
+    let mut list = vec![1.0, 0.8, 0.35, 0.07, 1.3, 0.2, 0.4, 0.1, 0.8, -0.2];
+    list.extend([24.0, 0.6, 18.0, 0.1, 9.81]);
+    list.extend(&RATIOS[..1]);
+    let mut moving = moving(&mut Noise::new(77), coordinates, steps * joints);
+    let (positions, rates) = moving.split_at_mut(coordinates);
+    for (list, offset) in [(positions, OFFSET), (rates, 0.0)] {
+        list[5] = RATIOS[0] * list[0] + offset;
+    }
+    list.extend(moving);
+    let kinds = [("bodies", 10), ("springs", 4), ("gravity", 1), ("ratio", 1)];
+    let more = [("coordinates", coordinates), ("rates", coordinates), ("torques", steps * joints)];
+    gradients!(
+        "coupled behind fixed axes",
+        &[&kinds[..], &more].concat(),
+        list,
+        [coordinates, joints],
+        Rk4,
+        steps,
+        0.02,
+        |x| {
+            let rod = Rod::<N>::new(x(0), x(1), x(2), x(3));
+            let rigid = RigidBody::<N>::new(x(4), x(5), [x(6), x(7)], [x(8), x(9)]);
+            let spring = Spring::new(x(10)).damped(x(11));
+            let fixed = ElasticHinge::rotary(x(12)).damped(x(13)).with_linear(spring, spring).in_fixed_axes();
+            let turning = Revolute::smooth();
+            let chain = (turning, rigid, fixed, rod, Pin, rigid, turning, rod);
+            System::new(Clamped::origin(), chain, Free).unwrap().with_gravity(x(14))
+        },
+        coupled(1, |x| {
+            let follows = Coupling::new(4, 1).ratio(x(15)).offset(N::constant(OFFSET));
+            ([follows], Absent)
+        })
+    );
+}
+
 /// A strut from the last rod to the ground.
 fn strut<T: Scalar>([a, b, x, y, stiffness, damping, length]: [T; 7]) -> [Strut<T, 2>; 1] {
     [Strut::to_ground((2, [a, b]), [x, y]).with_stiffness(stiffness).with_damping(damping).with_length(length)]
