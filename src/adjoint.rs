@@ -49,7 +49,7 @@ use crate::walks::pull_back::PullBack;
 use crate::walks::reach::Reach;
 use crate::walks::stir::Stir;
 use crate::walks::strain::Strain;
-pub use body_law::{Beside, BodyLaw, Burdened, OfLaw, ReversibleLoads, Surveyed};
+pub use body_law::{ActsOnBodies, BodyLaw, Burdened, OfLaw, ReversibleLoads, Surveyed};
 pub use outboard::{Kind, Outboard};
 pub(crate) use rigid::passes;
 pub use space::{Costates, LoadCostates, Reversed, VirtualMotion};

@@ -86,7 +86,7 @@ impl Mode {
 }
 
 impl Modes {
-    /// Number of modes: coordinates less independent conditions of closures.
+    /// Number of modes: coordinates less independent conditions of closures and couplings.
     pub fn len(&self) -> usize {
         self.modes.len()
     }
@@ -124,7 +124,8 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// to 1e-9.
     ///
     /// # Errors
-    /// [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6 (over `f32` 2e-3), infinite for a scene that falls freely;
+    /// [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6
+    /// (over `f32` 2e-3), infinite for a scene that falls freely;
     /// [`Fault::NotConservative`] for loads without a potential; [`Fault::Unsupported`] where joints stick, over lanes, and where the ground
     /// or a drive moves a body so that its velocity changes with the coordinates (a rotor: its modes are gyroscopic), with the station of
     /// the body, or of what is held there, without one; those of a sweep.

@@ -76,21 +76,21 @@ impl<S: Reversed, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> f
 }
 
 /// Loads on bodies alone, as they stand beside struts or couplings in runs that go backward.
-pub trait Beside<S: Reversed>: Loading<S> + Copy {
+pub trait ActsOnBodies<S: Reversed>: Loading<S> + Copy {
     /// What acts on bodies.
     type Law: BodyLaw<S, Ties = ()>;
     /// The law.
     fn law(&self) -> Self::Law;
 }
 
-impl<S: Reversed> Beside<S> for Unloaded {
+impl<S: Reversed> ActsOnBodies<S> for Unloaded {
     type Law = Absent;
     fn law(&self) -> Absent {
         Absent
     }
 }
 
-impl<S: Reversed, B: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> Beside<S> for Loads<B, Absent> {
+impl<S: Reversed, B: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> ActsOnBodies<S> for Loads<B, Absent> {
     type Law = B;
     fn law(&self) -> B {
         *self.bodies()

@@ -161,7 +161,7 @@ macro_rules! struts {
     ($Space:ident, $D:literal) => {
         impl<T: Scalar, L, const N: usize> BodyLaw<$Space<T>> for Struts<T, $D, N, L>
         where
-            L: Beside<$Space<T>>,
+            L: ActsOnBodies<$Space<T>>,
             L::Law: LoadLaw<BodyMotion<T>, Value: Load<$Space<T>>> + BodyLaw<$Space<T>, OfNumbers = OfLaw<T>>,
         {
             type Beside<J: LoadLaw<JointMotion<T>>> = Struts<T, $D, N, Loads<L::Law, J>>;
@@ -188,7 +188,7 @@ macro_rules! struts {
             }
         }
 
-        impl<T: Scalar, L, const N: usize> Beside<$Space<T>> for Struts<T, $D, N, L>
+        impl<T: Scalar, L, const N: usize> ActsOnBodies<$Space<T>> for Struts<T, $D, N, L>
         where
             L: Loading<$Space<T>> + Copy,
             Self: BodyLaw<$Space<T>, Ties = ()> + Loading<$Space<T>>,
@@ -201,7 +201,7 @@ macro_rules! struts {
 
         impl<T: Scalar, L, const N: usize> ReversibleLoads<$Space<T>> for Struts<T, $D, N, L>
         where
-            L: Beside<$Space<T>>,
+            L: ActsOnBodies<$Space<T>>,
             L::Law: LoadLaw<BodyMotion<T>, Value: Load<$Space<T>>> + ReversibleLoads<$Space<T>, OfNumbers = OfLaw<T>>,
         {
             fn felt(

@@ -24,8 +24,8 @@ pub trait Ties<S: Space>: Copy {
 
     /// Copies of a value.
     fn each<X: Clone>(value: &X) -> Self::Each<X>;
-    /// Adds Cᵀ times shares to costates of rates, or to forces along them.
-    fn spread<V: Rate<S::Scalar>>(&self, shares: &Self::Each<S::Scalar>, along: &mut V);
+    /// Adds a share of each row to costates of rates: Cᵀ times shares.
+    fn add_rows<V: Rate<S::Scalar>>(&self, shares: &Self::Each<S::Scalar>, costates: &mut V);
     /// λ = −G⁻¹ C a₀, or −ν by w₀ for a₀.
     fn balanced<V: Rate<S::Scalar>>(&self, responses: &Self::Each<V>, free: &V) -> Self::Each<S::Scalar>;
     /// Adds what forces λ exert in a joint.
@@ -50,7 +50,7 @@ impl<S: Space> Ties<S> for () {
     fn each<X: Clone>(_: &X) -> [X; 0] {
         []
     }
-    fn spread<V: Rate<S::Scalar>>(&self, _: &[S::Scalar; 0], _: &mut V) {}
+    fn add_rows<V: Rate<S::Scalar>>(&self, _: &[S::Scalar; 0], _: &mut V) {}
     fn balanced<V: Rate<S::Scalar>>(&self, _: &[V; 0], _: &V) -> [S::Scalar; 0] {
         []
     }

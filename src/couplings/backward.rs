@@ -1,7 +1,7 @@
 //! Couplings in runs that go backward, as [`Ties`] beside what acts on bodies.
 
 use super::{Couplings, at, numbered};
-use crate::adjoint::{Beside, BodyLaw, LoadCostates, OfLaw, ReversibleLoads, Ties};
+use crate::adjoint::{ActsOnBodies, BodyLaw, LoadCostates, OfLaw, ReversibleLoads, Ties};
 use crate::error::Fault;
 use crate::loading::{EffortOf, LoadLaw, Loading, Unloaded, suits};
 use crate::mechanics::planar::{self, Planar};
@@ -21,12 +21,12 @@ impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
     fn each<X: Clone>(value: &X) -> [X; K] {
         core::array::from_fn(|_| value.clone())
     }
-    fn spread<V: Rate<S::Scalar>>(&self, shares: &[S::Scalar; K], along: &mut V) {
+    fn add_rows<V: Rate<S::Scalar>>(&self, shares: &[S::Scalar; K], costates: &mut V) {
         for (tie, share) in self.ties.iter().zip(shares) {
             for (place, share) in tie.rates.into_iter().zip([*share, -tie.ratio * *share]) {
                 let mut entry = S::Scalar::zero();
-                along.visit(&mut numbered(place, |x| entry = x));
-                along.replace(&mut at(place, entry + share));
+                costates.visit(&mut numbered(place, |x| entry = x));
+                costates.replace(&mut at(place, entry + share));
             }
         }
     }
@@ -58,9 +58,9 @@ impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
 }
 
 /// What acts on bodies beside couplings: for each space on its own, so that a compiler can tell laws of one body's motion from them.
-macro_rules! beside {
+macro_rules! backward {
     ($Space:ident, $JointMotion:ty) => {
-        impl<T: Scalar, L: Beside<$Space<T>>, const K: usize> BodyLaw<$Space<T>> for Couplings<T, K, L> {
+        impl<T: Scalar, L: ActsOnBodies<$Space<T>>, const K: usize> BodyLaw<$Space<T>> for Couplings<T, K, L> {
             type Beside<J: LoadLaw<$JointMotion>> = <L::Law as BodyLaw<$Space<T>>>::Beside<J>;
             type OfNumbers = ([T; K], <L::Law as BodyLaw<$Space<T>>>::OfNumbers);
             type Stirred = <L::Law as BodyLaw<$Space<T>>>::Stirred;
@@ -89,7 +89,7 @@ macro_rules! beside {
 
         impl<T: Scalar, L, const K: usize> ReversibleLoads<$Space<T>> for Couplings<T, K, L>
         where
-            L: Beside<$Space<T>, Law: ReversibleLoads<$Space<T>>>,
+            L: ActsOnBodies<$Space<T>, Law: ReversibleLoads<$Space<T>>>,
         {
             fn felt(
                 walk: &mut PullLoads<Self, $Space<T>>,
@@ -108,5 +108,5 @@ macro_rules! beside {
         }
     };
 }
-beside!(Planar, planar::JointMotion<T>);
-beside!(Spatial, spatial::JointMotion<T>);
+backward!(Planar, planar::JointMotion<T>);
+backward!(Spatial, spatial::JointMotion<T>);

@@ -126,7 +126,7 @@ impl<T: Scalar> Inertial for Spatial<T> {
     }
 }
 
-/// A scene near a position, in the directions that its closures leave open. Linear maps are real; of dual numbers they hold the
+/// A scene near a position, in the directions that closures and couplings leave open. Linear maps are real; of dual numbers they hold the
 /// real part.
 pub(crate) struct Linear<R> {
     /// Directions that closures and couplings leave open.

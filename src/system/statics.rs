@@ -56,7 +56,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::NoEquilibrium`] with the acceleration left (a scene that falls freely has no equilibrium);
-    /// [`Fault::NotClosed`] where the tip does not reach; [`Fault::Shape`]; [`Fault::Unsupported`] where joints stick and over lanes; those
+    /// [`Fault::NotClosed`] where the tip does not reach; [`Fault::NotAssembled`] where couplings contradict each other; [`Fault::Shape`]; [`Fault::Unsupported`] where joints stick and over lanes; those
     /// of a sweep.
     pub fn equilibrium<L: Loading<S>>(
         &self,
@@ -149,6 +149,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             loads.rejoined(&mut motion.position, &mut motion.rate, |loads, position, rate, found| {
                 self.accelerations(time, position, rate, loads, workspace, found);
             });
+            self.suited(motion, loads)?;
         }
         // A tip whose ground moves has given it rates.
         motion.rate.replace(&mut |_| S::Scalar::zero());

@@ -472,6 +472,10 @@ fn what_is_no_coupling_is_refused() -> Result<(), Error> {
     assert!(matches!(error.fault, Fault::NotAssembled { .. }), "{error}");
     let rest = scene.equilibrium(apart, &couplings)?.coordinates(); // it is put together first
     near(rest[1], RATIO * rest[0] + OFFSET, 1e-14);
+    // By one and the same ratio to two places at once.
+    let both = Couplings::of(&scene, [0.0, 0.1].map(|offset| Coupling::new(2, 1).offset(offset)))?;
+    let error = scene.equilibrium(scene.motion(), &both).expect_err("two places");
+    assert!(matches!(error.fault, Fault::NotAssembled { .. }), "{error}");
     let start = couplings.joined(scene.motion());
     let error = scene.transfer_matrix::<_, 7>(&start, &couplings, |_, _| ()).expect_err("a matrix");
     assert!(error.to_string().contains("couplings"), "{error}");

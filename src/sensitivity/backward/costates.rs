@@ -212,6 +212,19 @@ where
         sum
     }
 
+    /// Positions, rates and accelerations of a stage, those of the motion before a step where the stage is that.
+    #[inline(always)]
+    #[allow(clippy::type_complexity)] // three in one
+    fn motion_of<'a>(
+        start: Option<&'a MotionOf<S, R, C, P>>,
+        (stage, slope): (&'a StageOf<S, R, C, P, L>, &'a RateOf<S, R, C>),
+    ) -> (&'a PositionOf<S, R, C>, &'a RateOf<S, R, C>, &'a RateOf<S, R, C>) {
+        match start {
+            Some(past) => (&past.position, &past.rate, slope),
+            None => (&stage.position, &stage.rate, Self::found(stage, slope)),
+        }
+    }
+
     /// M w + Γᵀν = λ, Γ w = 0 through the gains of a stage, for the costates of accelerations, which become w; gives −ν of what holds the tip,
     /// and what is carried there.
     #[inline(always)]
@@ -223,9 +236,8 @@ where
         (stage, slope): (&StageOf<S, R, C, P, L>, &RateOf<S, R, C>),
     ) -> (EachOf<S, P>, S::Stirred) {
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, kept, pivots, position, rate, acceleration, .. } = stage;
-        let acceleration = if Self::CHARTED && start.is_none() { acceleration } else { slope };
-        let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
+        let Stage { x, y, p, q, kept, pivots, .. } = stage;
+        let (position, rate, acceleration) = Self::motion_of(start, (stage, slope));
         let free = &mut self.of_acceleration;
         let mut walk = Meet::nothing();
         elements.take(&mut walk, Wrench::none(), (x, y, p, q, kept, pivots, &mut *free, &mut self.in_loops));
@@ -253,9 +265,8 @@ where
         let minus_weights = if const { Self::TIED } { self.untie(start, &frame, (stage, slope)) } else { None };
         let (weight, stirred) = self.stir(start, &frame, (stage, slope));
         let elements = self.scene.elements();
-        let Stage { x, y, p, q, pivots, at_bodies, at_joints, in_loops, position, rate, acceleration, .. } = stage;
-        let acceleration = if Self::CHARTED && start.is_none() { acceleration } else { slope };
-        let (position, rate) = start.map_or((position, rate), |past| (&past.position, &past.rate));
+        let Stage { x, y, p, q, pivots, at_bodies, at_joints, in_loops, .. } = stage;
+        let (position, rate, acceleration) = Self::motion_of(start, (stage, slope));
         let free = &mut self.of_acceleration;
         if let Some(minus_weights) = &minus_weights {
             let ratios = L::of_ratios(&mut gradient.law);

@@ -47,7 +47,7 @@ where
                 let mut unit = <L::Ties as Ties<S>>::each(&S::Scalar::zero());
                 unit.as_mut()[k] = S::Scalar::one();
                 steps.of_acceleration.set(&steps.zero);
-                ties.spread(&unit, &mut steps.of_acceleration);
+                ties.add_rows(&unit, &mut steps.of_acceleration);
                 steps.stir(start, &frame, (stage, free));
                 stage.responses.as_mut()[k].set(&steps.of_acceleration);
             }
@@ -77,7 +77,7 @@ where
         });
         let ties = self.loads.law.ties();
         let minus_weights = ties.balanced(&known.0.responses, &response);
-        ties.spread(&minus_weights, &mut self.of_acceleration);
+        ties.add_rows(&minus_weights, &mut self.of_acceleration);
         self.tying = Some((efforts, response));
         Some(minus_weights)
     }

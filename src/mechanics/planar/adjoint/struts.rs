@@ -2,7 +2,7 @@
 
 use super::loads::{BODY, Felt};
 use crate::adjoint::struts::{ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
-use crate::adjoint::{Beside, BodyLaw, OfLaw, ReversibleLoads};
+use crate::adjoint::{ActsOnBodies, BodyLaw, OfLaw, ReversibleLoads};
 use crate::loading::{Load, LoadLaw, Loading, Loads};
 use crate::mechanics::planar::{BodyMotion, Frame, JointMotion, Planar};
 use crate::relation::planar::algebra::{add_scaled, dot, normal};

@@ -4,7 +4,7 @@ use super::Turning;
 use super::felt::Felt;
 use super::read::BODY;
 use crate::adjoint::struts::{ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
-use crate::adjoint::{Beside, BodyLaw, OfLaw, ReversibleLoads};
+use crate::adjoint::{ActsOnBodies, BodyLaw, OfLaw, ReversibleLoads};
 use crate::loading::{Load, LoadLaw, Loading, Loads};
 use crate::mechanics::spatial::{BodyMotion, Frame, JointMotion, Spatial, Turn};
 use crate::relation::spatial::algebra::{cross_onto, zero};

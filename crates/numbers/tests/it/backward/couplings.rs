@@ -55,17 +55,11 @@ fn numbers(seed: u64, steps: usize) -> Vec<f64> {
     list
 }
 
-fn kinds(steps: usize) -> Vec<(&'static str, usize)> {
-    let [coordinates, joints] = COUNTS;
-    let more = [("coordinates", coordinates), ("rates", coordinates), ("torques", steps * joints)];
-    [&KINDS[..], &more].concat()
-}
-
 macro_rules! coupled {
     ($name:expr, $seed:expr, $method:expr, $steps:expr) => {
         gradients!(
             $name,
-            &kinds($steps),
+            &with_motion(&KINDS, COUNTS[0], $steps * COUNTS[1]),
             numbers($seed, $steps),
             [COUNTS[0], COUNTS[1]],
             $method,
@@ -106,10 +100,9 @@ fn coupled_joints_behind_fixed_axes_have_the_gradients_of_jets() {
     }
     list.extend(moving);
     let kinds = [("bodies", 10), ("springs", 4), ("gravity", 1), ("ratio", 1)];
-    let more = [("coordinates", coordinates), ("rates", coordinates), ("torques", steps * joints)];
     gradients!(
         "coupled behind fixed axes",
-        &[&kinds[..], &more].concat(),
+        &with_motion(&kinds, coordinates, steps * joints),
         list,
         [coordinates, joints],
         Rk4,
@@ -191,7 +184,8 @@ fn what_couplings_do_not_go_backward_through_is_refused() -> Result<(), catena::
     let mut states = [scene.at_rest(&[0.1, 0.3, 0.4])?; 2]; // relative angles 0.1 and 0.2
     let (start, mut backward) = (states[0], scene.backward(Rk4).under(couplings));
     let fault = backward.run(&start, 0.01, 1, &[], &mut states).err().map(|error| error.fault);
-    assert!(matches!(fault, Some(catena::Fault::NotAssembled { residual }) if near_to(residual, 0.1)), "{fault:?}");
+    let Some(catena::Fault::NotAssembled { residual }) = fault else { panic!("{fault:?}") };
+    near(residual, 0.1, 1e-15);
     let held = System::new(Clamped::origin(), chain, Pinned::at(1.5, -1.0))?;
     let couplings = Couplings::of(&held, [Coupling::new(2, 1)])?;
     let start = held.assembled(held.at_rest(&[-1.2, -0.4, 0.4])?, &Unloaded)?;
@@ -199,8 +193,4 @@ fn what_couplings_do_not_go_backward_through_is_refused() -> Result<(), catena::
     let fault = held.backward(Rk4).under(couplings).run(&start, 0.01, 1, &[], &mut states).err().map(|e| e.fault);
     assert!(matches!(fault, Some(catena::Fault::Unsupported { .. })), "{fault:?}");
     Ok(())
-}
-
-fn near_to(found: f64, expected: f64) -> bool {
-    (found - expected).abs() < 1e-14
 }

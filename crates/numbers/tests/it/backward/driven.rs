@@ -81,20 +81,21 @@ const KINDS: [(&str, usize); 7] = [
     ("gravity", 1),
 ];
 
-fn kinds(coordinates: usize, torques: usize) -> Vec<(&'static str, usize)> {
-    let mut kinds = KINDS.to_vec();
-    kinds.extend([("coordinates", coordinates), ("rates", coordinates), ("torques", torques)]);
-    kinds
-}
-
 #[test]
 fn driven_joints_have_the_gradients_of_jets() {
     let (steps, coordinates, joints) = (6, 4, 10);
     let mut list = numbers();
     list.extend(moving(&mut Noise::new(61), coordinates, steps * joints));
-    gradients!("driven", &kinds(coordinates, steps * joints), list, [coordinates, joints], Rk4, steps, 0.02, |x| {
-        driven!(x, N)
-    });
+    gradients!(
+        "driven",
+        &with_motion(&KINDS, coordinates, steps * joints),
+        list,
+        [coordinates, joints],
+        Rk4,
+        steps,
+        0.02,
+        |x| { driven!(x, N) }
+    );
 }
 
 #[test]
@@ -104,7 +105,7 @@ fn driven_joints_have_the_gradients_of_jets_by_implicit_rules() {
     list.extend(moving(&mut Noise::new(62), coordinates, steps * joints));
     gradients!(
         "driven, Sdirk4",
-        &kinds(coordinates, steps * joints),
+        &with_motion(&KINDS, coordinates, steps * joints),
         list.clone(),
         [coordinates, joints],
         Sdirk4::new(),
@@ -115,7 +116,7 @@ fn driven_joints_have_the_gradients_of_jets_by_implicit_rules() {
     let method = GeneralizedAlpha::new(0.8);
     gradients!(
         "driven, generalized-alpha",
-        &kinds(coordinates, steps * joints),
+        &with_motion(&KINDS, coordinates, steps * joints),
         list,
         [coordinates, joints],
         method,

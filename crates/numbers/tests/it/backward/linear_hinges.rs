@@ -78,23 +78,12 @@ fn hinges_with_springs_along_fixed_axes_have_the_gradients_of_jets() {
     macro_rules! fixed {
         ($method:expr, $steps:expr) => {
             let steps = $steps;
-            let mut noise = Noise::new(23);
             let mut list = list.clone();
-            list.extend((0..coordinates).map(|_| 0.5 * noise.next()));
-            list.extend((0..coordinates).map(|_| noise.next()));
-            list.extend((0..steps * joints).map(|_| 0.5 * noise.next()));
-            let kinds = [
-                ("bodies", 10),
-                ("springs", 8),
-                ("root and gravity", 2),
-                ("medium", 5),
-                ("coordinates", coordinates),
-                ("rates", coordinates),
-                ("torques", steps * joints),
-            ];
+            list.extend(moving(&mut Noise::new(23), coordinates, steps * joints));
+            let kinds = [("bodies", 10), ("springs", 8), ("root and gravity", 2), ("medium", 5)];
             gradients!(
                 &format!("springs along fixed axes, {:?}", $method),
-                &kinds,
+                &with_motion(&kinds, coordinates, steps * joints),
                 list,
                 [coordinates, joints],
                 $method,

@@ -7,7 +7,7 @@ use catena_oracle::Noise;
 
 /// What the macro below names.
 mod names {
-    pub(super) use super::{OF_TREE, ROUNDING, Stiffening, TREE, agrees, alike, by_jets, moving, share};
+    pub(super) use super::{OF_TREE, ROUNDING, Stiffening, TREE, agrees, alike, by_jets, moving, share, with_motion};
     pub(super) use catena::Scalar;
     pub(super) use catena::planar::*;
     pub(super) use catena::scalar::Jet;
@@ -48,6 +48,11 @@ fn moving(noise: &mut Noise, coordinates: usize, torques: usize) -> Vec<f64> {
     list.extend((0..coordinates).map(|_| noise.next()));
     list.extend((0..torques).map(|_| 0.5 * noise.next()));
     list
+}
+
+/// Kinds of parameters, and those of the coordinates, rates and torques that come after them.
+fn with_motion(parameters: &[(&'static str, usize)], coordinates: usize, torques: usize) -> Vec<(&'static str, usize)> {
+    [parameters, &[("coordinates", coordinates), ("rates", coordinates), ("torques", torques)]].concat()
 }
 
 /// A number with eight derivatives.
