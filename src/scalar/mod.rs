@@ -222,3 +222,16 @@ pub trait Real: Scalar<Real = Self> + PartialOrd + Display {
     /// `self` to the power `exponent`.
     fn powf(self, exponent: Self) -> Self;
 }
+
+/// Does something in a function of its own where numbers are large: what is inlined joint by joint takes a compiler a time that grows with
+/// the square of the number of joints, three minutes for an arm of seven over numbers with eight derivatives.
+#[inline(always)]
+pub(crate) fn apart<T: Scalar, X>(does: impl FnOnce() -> X) -> X {
+    if const { T::LARGE } { called(does) } else { does() }
+}
+
+/// Calls.
+#[inline(never)]
+fn called<X>(does: impl FnOnce() -> X) -> X {
+    does()
+}

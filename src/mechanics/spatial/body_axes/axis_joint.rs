@@ -13,7 +13,7 @@ use crate::mechanics::spatial::{Acceleration, Frame, JointMotion, Spatial, Turn}
 use crate::relation::Closures;
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross};
 use crate::release::{Freedom, Release, Resistance, Way, slopes};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, apart};
 use crate::shape::{Joint, JointPosture};
 use crate::spring::SpringLaw;
 use nalgebra::Vector3;
@@ -100,11 +100,16 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         multipliers: &X::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
-        let (stand, [swung, bias]) = Self::posture(x, y);
-        let p = [triple(inboard.linear.into()), triple(inboard.angular.into())];
-        let p = self.accelerated(stand, [Self::known_swung(swung), bias], p);
-        let free = X::plus_dot(kept.gains.free, &kept.per_closure, multipliers);
-        self.released(p, &kept.gains, free, const { A::ON || By::STIFF }, rate)
+        apart::<T, _>(
+            #[cfg_attr(optimised, inline(always))]
+            || {
+                let (stand, [swung, bias]) = Self::posture(x, y);
+                let p = [triple(inboard.linear.into()), triple(inboard.angular.into())];
+                let p = self.accelerated(stand, [Self::known_swung(swung), bias], p);
+                let free = X::plus_dot(kept.gains.free, &kept.per_closure, multipliers);
+                self.released(p, &kept.gains, free, const { A::ON || By::STIFF }, rate)
+            },
+        )
     }
     #[cfg_attr(optimised, inline(always))]
     fn respond<X: Closures>(
@@ -115,39 +120,49 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         multipliers: &X::Each<T>,
         rate: &mut T,
     ) -> Acceleration<T> {
-        let (stand, _) = Self::posture(x, y);
-        let p = [triple(inboard.linear.into()), triple(inboard.angular.into())];
-        let p = self.accelerated(stand, [[Number::zero(); 3]; 2], p);
-        let free = X::plus_dot(T::zero(), &kept.per_closure, multipliers);
-        self.released(p, &kept.gains, free, true, rate)
+        apart::<T, _>(
+            #[cfg_attr(optimised, inline(always))]
+            || {
+                let (stand, _) = Self::posture(x, y);
+                let p = [triple(inboard.linear.into()), triple(inboard.angular.into())];
+                let p = self.accelerated(stand, [[Number::zero(); 3]; 2], p);
+                let free = X::plus_dot(T::zero(), &kept.per_closure, multipliers);
+                self.released(p, &kept.gains, free, true, rate)
+            },
+        )
     }
     #[cfg_attr(optimised, inline(always))]
     fn motion(&self, inboard: Frame<T>, position: &T, rate: &T, acceleration: &T) -> (JointMotion<T>, Frame<T>) {
-        let (q, v, turn) = (*position, *rate, inboard.turn);
-        let [arm, n] = self.reach(q, &turn.attitude);
-        let mut outboard = inboard.shifted(arm);
-        outboard.turn.attitude = self.attitude(self.stand(q), &turn.attitude);
-        let swept = cross(turn.spin, n);
-        if M::TURNS {
-            outboard.turn.spin = add_scaled(turn.spin, v, n);
-            let angular = &mut outboard.acceleration.angular;
-            *angular = add_scaled(add_scaled(*angular, v, swept), *acceleration, n);
-        } else {
-            outboard.velocity = add_scaled(outboard.velocity, v, n);
-            let linear = &mut outboard.acceleration.linear;
-            *linear = add_scaled(add_scaled(*linear, v + v, swept), *acceleration, n);
-        }
-        let only = |x| [x, T::zero(), T::zero()];
-        let motion = JointMotion {
-            inboard,
-            outboard,
-            position: only(q),
-            rate: only(v),
-            effort: only(self.law.force(q, v)),
-            energy: self.law.energy(q),
-            inertia: only(self.armature.number().value()),
-        };
-        (motion, outboard)
+        apart::<T, _>(
+            #[cfg_attr(optimised, inline(always))]
+            || {
+                let (q, v, turn) = (*position, *rate, inboard.turn);
+                let [arm, n] = self.reach(q, &turn.attitude);
+                let mut outboard = inboard.shifted(arm);
+                outboard.turn.attitude = self.attitude(self.stand(q), &turn.attitude);
+                let swept = cross(turn.spin, n);
+                if M::TURNS {
+                    outboard.turn.spin = add_scaled(turn.spin, v, n);
+                    let angular = &mut outboard.acceleration.angular;
+                    *angular = add_scaled(add_scaled(*angular, v, swept), *acceleration, n);
+                } else {
+                    outboard.velocity = add_scaled(outboard.velocity, v, n);
+                    let linear = &mut outboard.acceleration.linear;
+                    *linear = add_scaled(add_scaled(*linear, v + v, swept), *acceleration, n);
+                }
+                let only = |x| [x, T::zero(), T::zero()];
+                let motion = JointMotion {
+                    inboard,
+                    outboard,
+                    position: only(q),
+                    rate: only(v),
+                    effort: only(self.law.force(q, v)),
+                    energy: self.law.energy(q),
+                    inertia: only(self.armature.number().value()),
+                };
+                (motion, outboard)
+            },
+        )
     }
     fn release(&self, motion: &JointMotion<T>, position: &T, rate: &T) -> Release<Spatial<T>> {
         let (q, v, turn) = (*position, *rate, motion.inboard.turn);

@@ -12,7 +12,7 @@ use crate::mechanics::spatial::spring::PivotRule;
 use crate::mechanics::spatial::{Drive, Spatial, Turn};
 use crate::relation::spatial::algebra::Columns;
 use crate::relation::{Closures, Term};
-use crate::scalar::Scalar;
+use crate::scalar::{Scalar, apart};
 use crate::spring::SpringLaw;
 use nalgebra::Vector3;
 
@@ -42,20 +42,25 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
         _: &mut Vector3<T>,
         _: &mut Vector3<T>,
     ) -> Turn<T> {
-        if const { !M::TURNS } {
-            [x.x.x, x.x.y] = self.stand(*position);
-        }
-        let stand = [x.x.x, x.x.y];
-        if const { PLACE & 7 != 0 } {
-            y[0] = Vector3::from(values(self.swung(turn.spin.into())));
-        }
-        let spin = self.spun(stand, *rate, turn.spin.into());
-        let bias = self.bias(stand, *rate, spin);
-        (y[1].x, y[1].y) = (bias[0], bias[1]);
-        if const { !M::TURNS } {
-            y[1].z = bias[2];
-        }
-        Turn { spin: Vector3::from(spin), ..turn }
+        apart::<T, _>(
+            #[cfg_attr(optimised, inline(always))]
+            || {
+                if const { !M::TURNS } {
+                    [x.x.x, x.x.y] = self.stand(*position);
+                }
+                let stand = [x.x.x, x.x.y];
+                if const { PLACE & 7 != 0 } {
+                    y[0] = Vector3::from(values(self.swung(turn.spin.into())));
+                }
+                let spin = self.spun(stand, *rate, turn.spin.into());
+                let bias = self.bias(stand, *rate, spin);
+                (y[1].x, y[1].y) = (bias[0], bias[1]);
+                if const { !M::TURNS } {
+                    y[1].z = bias[2];
+                }
+                Turn { spin: Vector3::from(spin), ..turn }
+            },
+        )
     }
     #[inline(always)]
     fn resolve((): &(), _: &mut Columns<T>, _: &mut [Vector3<T>; 2], _: &mut Vector3<T>, _: &mut Vector3<T>) {}
@@ -148,24 +153,29 @@ where
         given: Given<'_, Spatial<T>, Self, W>,
         kept: &mut ClosedGains<T, R::Closures>,
     ) -> B::Relation<T, R::Closures> {
-        // Laws that are not linear are read where the last sweep has led.
-        let stiff = const { <W::Springs as Springs<T>>::STIFF };
-        let follows = const { !L::LINEAR && <W::Springs as Springs<T>>::STIFF };
-        let (position, rate) = match follows {
-            true => (*given.reading.position, *given.reading.rate),
-            false => (*given.position, *given.rate),
-        };
-        let mut effort = given.in_joints.onto(0, self.law.force(position, rate));
-        let mut more = self.inertia();
-        if stiff {
-            let stiffness = given.springs.stiffness(|springs| self.law.pivot(position, rate, springs));
-            let stiffness = stiffness.add_to(T::zero());
-            if follows {
-                effort = stiffness.mul_add(*given.reading.acceleration, effort);
-            }
-            more = more.plus(Number::of(stiffness));
-        }
-        let stiffened = const { A::ON || <W::Springs as Springs<T>>::STIFF };
-        self.let_go(outer, effort, more, Self::posture(posture.x, posture.y), (kept, stiffened))
+        apart::<T, _>(
+            #[cfg_attr(optimised, inline(always))]
+            || {
+                // Laws that are not linear are read where the last sweep has led.
+                let stiff = const { <W::Springs as Springs<T>>::STIFF };
+                let follows = const { !L::LINEAR && <W::Springs as Springs<T>>::STIFF };
+                let (position, rate) = match follows {
+                    true => (*given.reading.position, *given.reading.rate),
+                    false => (*given.position, *given.rate),
+                };
+                let mut effort = given.in_joints.onto(0, self.law.force(position, rate));
+                let mut more = self.inertia();
+                if stiff {
+                    let stiffness = given.springs.stiffness(|springs| self.law.pivot(position, rate, springs));
+                    let stiffness = stiffness.add_to(T::zero());
+                    if follows {
+                        effort = stiffness.mul_add(*given.reading.acceleration, effort);
+                    }
+                    more = more.plus(Number::of(stiffness));
+                }
+                let stiffened = const { A::ON || <W::Springs as Springs<T>>::STIFF };
+                self.let_go(outer, effort, more, Self::posture(posture.x, posture.y), (kept, stiffened))
+            },
+        )
     }
 }
