@@ -24,7 +24,7 @@ mod term;
 mod way;
 mod wrench;
 
-pub use arms::{Carry, Forces, Wrenches};
+pub use arms::{Carry, Forces, Kind, Wrenches};
 pub use closure::{Close, Closures, Cut, Cuts, Open, Solvable, largest};
 pub use geometry::{AccelerationOf, Additive, Angular, Geometry, Symmetric, VectorSpace, WrenchOf};
 pub use kinds::{Empty, Full, Lump, Point, Relation};

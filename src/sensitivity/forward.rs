@@ -9,12 +9,14 @@ use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::{Additive, Open, Wrench, WrenchOf};
 use crate::sensitive::{At, Columns, Derived, Effort, RelationOf, Seeds, Sensitive, Varied};
-use crate::shape::{PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
+use crate::shape::{Body, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::space::FrameOf;
 use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
 use crate::visit::survey;
 use crate::walks::fits::fits;
+use crate::walks::sines::sines;
 use crate::walks::size::sizes;
+use crate::walks::spread;
 use crate::walks::travel::travel;
 
 /// The elements of a scene over plain numbers.
@@ -182,6 +184,11 @@ impl<S: Varied, L: Loading<S, InJoint: Effort<S>>> Visit<S> for Loads<'_, S, L> 
         self.body += 1;
         self.loads.on_body(&self.seen, self.time, self.body - 1, motion).wrench()
     }
+    fn body_with<B: Body<S>>(&mut self, motion: &S::BodyMotion) -> WrenchOf<S> {
+        self.body += 1;
+        let load = self.loads.on_body(&self.seen, self.time, self.body - 1, motion);
+        if const { B::OWN_AXES } { load.in_own_axes(motion).wrench() } else { load.wrench() }
+    }
     fn joint(&mut self, motion: &S::JointMotion) -> EffortOf<S> {
         self.joint += 1;
         self.loads.in_joint(self.time, self.joint - 1, motion).effort()
@@ -231,16 +238,28 @@ where
             let elements = self.scene.elements();
             let ground = self.scene.ground(time);
             if L::ON {
-                let motion = Coordinates { position, rate, acceleration };
-                let seen = survey(elements, ground, motion, loads);
-                let pass = Loads { loads, seen, time, body: 0, joint: 0 };
-                travel(elements, ground, motion, pass, &mut workspace.on_bodies, &mut workspace.in_joints);
-                elements.load(&workspace.on_bodies, &workspace.in_joints, &mut workspace.store);
+                let SensitiveWorkspace { on_bodies, in_joints, store, .. } = workspace;
+                // Bodies that take loads in their own axes are told their attitudes.
+                if const { L::READS || Elements::<S, R, C>::OWN_AXES && size_of::<L::OnBody>() > 0 } {
+                    let motion = Coordinates { position, rate, acceleration };
+                    let seen = survey(elements, ground, motion, loads);
+                    let pass = Loads { loads, seen, time, body: 0, joint: 0 };
+                    travel(elements, ground, motion, pass, on_bodies, in_joints);
+                } else {
+                    spread::to_bodies(elements, loads.on_bodies_listed(), L::OnBody::wrench, on_bodies);
+                    if const { L::BY_COORDINATE } {
+                        spread::to_coordinates(elements, loads.in_joints_listed(), L::InJoint::effort, in_joints);
+                    } else {
+                        spread::to_joints(elements, loads.in_joints_listed(), L::InJoint::effort, in_joints);
+                    }
+                }
+                elements.load(on_bodies, in_joints, store);
             }
             {
                 let SensitiveWorkspace { position: plain_position, rate: plain_rate, sizes, x, y, p, q, .. } =
                     workspace;
                 Elements::<S, R, C>::read(position, rate, plain_position, plain_rate);
+                sines(&self.plain, plain_position, x);
                 self.plain.pose(plain_position, plain_rate, S::plain_turn(&ground), sizes, x, y, p, q);
             }
             let at = (position, rate);

@@ -28,7 +28,8 @@
 //! # What goes through gains
 //!
 //! Tuples, arrays and vectors of elements, and branches, with a free tip; in the plane all bodies, `Pin`, `Weld`, `Slider` and `ElasticHinge` with a
-//! rotary spring; in space all bodies, `Ball`, `Weld`, `Revolute`, `Universal` and `Prismatic`, with springs; roots of these. Loads may depend on
+//! rotary spring; in space all bodies, `Ball`, `Weld`, `Revolute`, `Universal` and `Prismatic`, with springs; roots of these, and in space
+//! `Free`; of [`robot`](crate::robot) hinges, slides and links on bases of all kinds. Loads may depend on
 //! seeds and on the motion, and couple joints. Explicit rules, with error control (of the values) and dense output.
 //!
 //! # Backward
@@ -50,7 +51,8 @@
 //! # What does not go through gains
 //!
 //! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips and loops (which go
-//! [backward](Backward)), `Free` roots, `Cylindrical` joints, linear springs of hinges, springs of balls, and implicit rules. Such scenes are differentiated by the rule itself.
+//! [backward](Backward)), `Free` roots of the plane, `Cylindrical` joints, linear springs of hinges, springs of balls, `Flange`, driven joints, and
+//! implicit rules. Such scenes are differentiated by the rule itself.
 //!
 //! ```compile_fail,E0277
 //! use catena::planar::*;

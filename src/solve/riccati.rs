@@ -131,11 +131,11 @@ pub fn sweep<S: Space, E, W, R, P>(
     // Bodies that take loads in their own axes are told their attitudes.
     let listed = const { W::Loads::ON && !W::Loads::READS && !(E::OWN_AXES && size_of::<OnBody<S, W>>() > 0) };
     if listed {
-        spread::to_bodies(chain, loads.on_bodies_listed(), on_bodies);
+        spread::to_bodies(chain, loads.on_bodies_listed(), |x| x, on_bodies);
         if const { W::Loads::BY_COORDINATE } {
-            spread::to_coordinates(chain, loads.in_joints_listed(), in_joints);
+            spread::to_coordinates(chain, loads.in_joints_listed(), |x| x, in_joints);
         } else {
-            spread::to_joints(chain, loads.in_joints_listed(), in_joints);
+            spread::to_joints(chain, loads.in_joints_listed(), |x| x, in_joints);
         }
     } else if W::Loads::ON {
         if const { <W::Springs as Springs<S::Scalar>>::STIFF && W::Loads::YIELDS } {
@@ -206,7 +206,7 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     }
     if const { L::BY_COORDINATE } {
         let mut joints = chain.store::<PerJoint<_>>(L::nothing().1);
-        spread::to_coordinates(chain, loads.in_joints_listed(), &mut joints);
+        spread::to_coordinates(chain, loads.in_joints_listed(), |x| x, &mut joints);
         let (mut count, mut broken) = (0_usize, None);
         entries(chain, &chain.store::<PerBody<()>>(()), &joints, &mut |entry| {
             broken = if matches!(entry, Entry::Joint(torque) if !torque.is_finite()) { Some(count) } else { broken };

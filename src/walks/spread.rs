@@ -1,4 +1,4 @@
-//! Values from a list, copied to the entries of bodies or of joints.
+//! Values from a list, as entries of bodies or of joints.
 
 use crate::mirror::Rate;
 use crate::shape::{
@@ -7,30 +7,37 @@ use crate::shape::{
 };
 use crate::space::Space;
 
-/// Copies values, one for each body, root to tip, to the entries of bodies.
+/// Writes what `of` makes of values, one for each body, root to tip, to the entries of bodies.
 #[inline(always)]
-pub fn to_bodies<S: Space, E: Shape<S>, X: Copy + 'static>(chain: &E, values: &[X], bodies: &mut E::Store<PerBody<X>>) {
-    chain.outward(&mut Bodies(exactly(values, E::BODIES)), (), (bodies,));
-}
-
-/// Copies values, one for each joint, root to tip, to the entries of joints.
-#[cfg_attr(optimised, inline(always))]
-pub fn to_joints<S: Space, E: Shape<S>, X: Copy + 'static>(
+pub fn to_bodies<S: Space, E: Shape<S>, X: Copy, Z: Copy + 'static>(
     chain: &E,
     values: &[X],
-    joints: &mut E::Store<PerJoint<X>>,
+    of: impl Fn(X) -> Z,
+    bodies: &mut E::Store<PerBody<Z>>,
 ) {
-    chain.outward(&mut Joints(exactly(values, E::JOINTS)), (), (joints,));
+    chain.outward(&mut Bodies { values: exactly(values, E::BODIES), of: &of }, (), (bodies,));
 }
 
-/// Copies values, one for each joint of one coordinate, root to tip, to the entries of those.
+/// Writes what `of` makes of values, one for each joint, root to tip, to the entries of joints.
 #[cfg_attr(optimised, inline(always))]
-pub fn to_coordinates<S: Space, E: Shape<S>, X: Copy + 'static>(
+pub fn to_joints<S: Space, E: Shape<S>, X: Copy, Z: Copy + 'static>(
     chain: &E,
     values: &[X],
-    joints: &mut E::Store<PerJoint<X>>,
+    of: impl Fn(X) -> Z,
+    joints: &mut E::Store<PerJoint<Z>>,
 ) {
-    chain.outward(&mut Coordinates(values), (), (joints,));
+    chain.outward(&mut Joints { values: exactly(values, E::JOINTS), of: &of }, (), (joints,));
+}
+
+/// Writes what `of` makes of values, one for each joint of one coordinate, root to tip, to the entries of those.
+#[cfg_attr(optimised, inline(always))]
+pub fn to_coordinates<S: Space, E: Shape<S>, X: Copy, Z: Copy + 'static>(
+    chain: &E,
+    values: &[X],
+    of: impl Fn(X) -> Z,
+    joints: &mut E::Store<PerJoint<Z>>,
+) {
+    chain.outward(&mut Coordinates { values, of: &of }, (), (joints,));
 }
 
 /// A list with as many values as the type of a chain says: where it does, a compiler need not ask again.
@@ -39,22 +46,31 @@ fn exactly<X>(values: &[X], count: Option<usize>) -> &[X] {
     count.map_or(values, |count| values.get(..count).unwrap_or(&[]))
 }
 
-/// Copies the first value, and goes on with the others.
+/// Writes what is made of the first value, and goes on with the others.
 #[cfg_attr(optimised, inline(always))]
-fn take_first<X: Copy>(values: &mut &[X], entry: &mut X) {
+fn take_first<X: Copy, Z>(values: &mut &[X], of: impl Fn(X) -> Z, entry: &mut Z) {
     if let Some((first, others)) = values.split_first() {
-        (*entry, *values) = (*first, others);
+        (*entry, *values) = (of(*first), others);
     }
 }
 
-/// Values that are left for bodies.
-struct Bodies<'v, X>(&'v [X]);
+/// Values that are left for bodies, and what is made of each.
+struct Bodies<'v, X, F> {
+    values: &'v [X],
+    of: &'v F,
+}
 
-/// Values that are left for joints.
-struct Joints<'v, X>(&'v [X]);
+/// Values that are left for joints, and what is made of each.
+struct Joints<'v, X, F> {
+    values: &'v [X],
+    of: &'v F,
+}
 
-/// Values that are left for joints of one coordinate.
-struct Coordinates<'v, X>(&'v [X]);
+/// Values that are left for joints of one coordinate, and what is made of each.
+struct Coordinates<'v, X, F> {
+    values: &'v [X],
+    of: &'v F,
+}
 
 /// Items in equal shares, whose loop vectorises, where each of them has as many.
 macro_rules! in_shares {
@@ -64,12 +80,13 @@ macro_rules! in_shares {
             match const { A::$COUNT } {
                 Some(0) => (),
                 Some(each) => {
-                    let (own, others) = self.0.split_at_checked(each * items.len()).unwrap_or((self.0, &[]));
+                    let (values, of) = (self.values, self.of);
+                    let (own, others) = values.split_at_checked(each * items.len()).unwrap_or((values, &[]));
                     let items = items.iter().zip(entries);
-                    items
-                        .zip(own.chunks_exact(each))
-                        .for_each(|((item, entry), share)| item.outward(&mut $Walk(share), (), (entry,)));
-                    self.0 = others;
+                    items.zip(own.chunks_exact(each)).for_each(|((item, entry), share)| {
+                        item.outward(&mut $Walk { values: share, of }, (), (entry,))
+                    });
+                    self.values = others;
                 }
                 None => items_outward(self, items, (), (entries,)),
             }
@@ -77,50 +94,50 @@ macro_rules! in_shares {
     };
 }
 
-impl<S: Space, X: Copy + 'static> Walk<S> for Bodies<'_, X> {
+impl<S: Space, X: Copy, Z: Copy + 'static, F: Fn(X) -> Z> Walk<S> for Bodies<'_, X, F> {
     type Carried = ();
-    type Stores = (Mut<PerBody<X>>,);
+    type Stores = (Mut<PerBody<Z>>,);
 }
 
-impl<S: Space, X: Copy + 'static> Outward<S> for Bodies<'_, X> {
+impl<S: Space, X: Copy, Z: Copy + 'static, F: Fn(X) -> Z> Outward<S> for Bodies<'_, X, F> {
     alike!();
 
     #[inline(always)]
     fn body<B: Body<S>>(&mut self, _: &B, (): (), (body,): AtBody<'_, S, Self, B>) {
-        take_first(&mut self.0, body);
+        take_first(&mut self.values, self.of, body);
     }
     #[inline(always)]
     fn joint<J: Joint<S>>(&mut self, _: &J, (): (), _: AtJoint<'_, S, Self, J>) {}
     in_shares!(Bodies, BODIES);
 }
 
-impl<S: Space, X: Copy + 'static> Walk<S> for Joints<'_, X> {
+impl<S: Space, X: Copy, Z: Copy + 'static, F: Fn(X) -> Z> Walk<S> for Joints<'_, X, F> {
     type Carried = ();
-    type Stores = (Mut<PerJoint<X>>,);
+    type Stores = (Mut<PerJoint<Z>>,);
 }
 
-impl<S: Space, X: Copy + 'static> Outward<S> for Joints<'_, X> {
+impl<S: Space, X: Copy, Z: Copy + 'static, F: Fn(X) -> Z> Outward<S> for Joints<'_, X, F> {
     alike!();
 
     #[inline(always)]
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}
     #[inline(always)]
     fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (joint,): AtJoint<'_, S, Self, J>) {
-        take_first(&mut self.0, joint);
+        take_first(&mut self.values, self.of, joint);
     }
     #[inline(always)]
     fn closing<K: Closing<S>>(&mut self, _: &K, _: [(); 2], (joint,): AtClosing<'_, S, Self, K>) {
-        take_first(&mut self.0, joint);
+        take_first(&mut self.values, self.of, joint);
     }
     in_shares!(Joints, JOINTS);
 }
 
-impl<S: Space, X: Copy + 'static> Walk<S> for Coordinates<'_, X> {
+impl<S: Space, X: Copy, Z: Copy + 'static, F: Fn(X) -> Z> Walk<S> for Coordinates<'_, X, F> {
     type Carried = ();
-    type Stores = (Mut<PerJoint<X>>,);
+    type Stores = (Mut<PerJoint<Z>>,);
 }
 
-impl<S: Space, X: Copy + 'static> Outward<S> for Coordinates<'_, X> {
+impl<S: Space, X: Copy, Z: Copy + 'static, F: Fn(X) -> Z> Outward<S> for Coordinates<'_, X, F> {
     alike!();
 
     #[inline(always)]
@@ -128,7 +145,7 @@ impl<S: Space, X: Copy + 'static> Outward<S> for Coordinates<'_, X> {
     #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(&mut self, _: &J, (): (), (joint,): AtJoint<'_, S, Self, J>) {
         if const { <J::Rate as Rate<S::Scalar>>::LENGTH == 1 } {
-            take_first(&mut self.0, joint);
+            take_first(&mut self.values, self.of, joint);
         }
     }
 }

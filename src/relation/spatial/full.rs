@@ -3,12 +3,12 @@
 use super::algebra::{Columns, Symmetric3, cross, cross_onto, zero};
 use super::pivots::turned_out;
 use super::{Full, Spatial};
-use crate::relation::{Absent, AccelerationOf, Closures, Cuts};
+use crate::relation::{Absent, AccelerationOf, Closures, Cuts, Relation};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
 
 /// A station on which nothing acts: its acceleration, what each closure force adds to that, and what is left to say of them.
-type Afloat<T, C> =
+pub type Afloat<T, C> =
     (AccelerationOf<Spatial<T>>, <C as Closures>::Each<AccelerationOf<Spatial<T>>>, Cuts<Vector3<T>, T, C>);
 
 impl<T: Scalar, C: Closures> Full<T, C> {
@@ -58,6 +58,11 @@ pub trait Rigid<T: Scalar>: Copy {
     type Closures: Closures;
     /// The relation in full.
     fn full(self) -> Full<T, Self::Closures>;
+    /// The acceleration of the station where nothing acts on it but a point mass (kg) there.
+    #[cfg_attr(optimised, inline(always))]
+    fn afloat_with(self, lumped: T) -> Afloat<T, Self::Closures> {
+        Relation::with_mass(self.full(), lumped).afloat()
+    }
 }
 
 impl<T: Scalar, C: Closures> Rigid<T> for Full<T, C> {

@@ -15,7 +15,7 @@ mod slides;
 pub use super::{Empty, Lump, Relation, Way};
 pub use couple::Couple;
 pub use factor::Factor6;
-pub use full::Rigid;
+pub use full::{Afloat, Rigid};
 pub use geometry::Spatial;
 pub use pivots::{BallGain, Gain, Pivot};
 pub use slides::Slides;

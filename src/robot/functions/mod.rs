@@ -224,7 +224,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         let mut kept = chain.store::<Kept<Open>>(());
         sines(chain, &position, &mut x);
         chain.pose(&position, &rate, base(), &sizes, &mut x, &mut y, &mut p, &mut r);
-        spread::to_coordinates(chain, torques, &mut in_joints);
+        spread::to_coordinates(chain, torques, |x| x, &mut in_joints);
         let posture = Posture { x: &x, y: &y, p: &p, q: &r };
         let given: Given<'_, S<T>, C, Driven<T, N>> = Given {
             on_bodies: &on_bodies,

@@ -178,7 +178,7 @@ where
         let (elements, joints) = (self.scene.elements(), self.scene.joints());
         let first = if torques.len() == joints { 0 } else { step * joints };
         match torques.get(first..first + joints) {
-            Some(torques) => spread::to_joints(elements, torques, &mut self.torques),
+            Some(torques) => spread::to_joints(elements, torques, |x| x, &mut self.torques),
             None => unspread::from_joints(elements, &mut self.torques, EffortOf::<S>::null(), &mut []),
         }
     }

@@ -9,6 +9,7 @@ mod jets;
 mod moments;
 mod paper;
 mod posed_late;
+mod robot_sensitivity;
 mod scalars;
 mod sensitivities;
 mod sensitivity;

@@ -13,7 +13,7 @@ use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Inertia, Spatia
 use crate::relation::Closures;
 use crate::relation::spatial::Empty;
 use crate::relation::spatial::algebra::{Columns, zero};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Real, Scalar, apart};
 use crate::shape::PostureOf;
 use nalgebra::Vector3;
 use num_traits::Zero;
@@ -109,24 +109,23 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
 
     /// m r_C (kg·m), with what is known.
     #[inline(always)]
-    fn first_moment(&self) -> Triple<T> {
+    pub(super) fn first_moment(&self) -> Triple<T> {
         masked(MOMENT, self.moment)
     }
 
     /// J about the origin (kg·m²), with what is known.
     #[inline(always)]
-    fn about_origin(&self) -> Triangle<T> {
+    pub(super) fn about_origin(&self) -> Triangle<T> {
         triangle(TENSOR, self.tensor)
     }
 
-    /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin that the angular velocity takes.
+    /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin, by products of ω.
     #[cfg_attr(optimised, inline(always))]
-    fn stirred(&self, spin: [T; 3]) -> [[T; 3]; 2] {
-        let [x, y, z] = spin;
-        let (xx, yy, zz) = (x * x, y * y, z * z);
-        let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
+    pub(super) fn stirred(&self, products: [T; 6]) -> [[T; 3]; 2] {
+        let [xx, yy, zz, yz, xz, xy] = products;
+        let (yz, xz, xy) = (Number::of(yz), Number::of(xz), Number::of(xy));
         let o = [Number::zero(); 3];
-        let force = apply_onto(&swirl(spin), self.first_moment(), o);
+        let force = apply_onto(&swirl(products), self.first_moment(), o);
         let [jxx, jyy, jzz, jyz, jxz, jxy] = self.about_origin();
         // (ω × J ω)_x = (J_zz − J_yy) yz + J_yz (yy − zz) + J_xz xy − J_xy xz, and so on around.
         let torque = [
@@ -157,11 +156,16 @@ fn around<T: Scalar>(
     minus.times_off(by, plus.times_onto(with, sum))
 }
 
-/// ω ωᵀ − ω² 1: what takes a place on a body to its centripetal acceleration.
+/// Products of the components of ω: xx, yy, zz, yz, xz, xy.
+#[inline(always)]
+pub(crate) fn products<T: Scalar>([x, y, z]: [T; 3]) -> [T; 6] {
+    [x * x, y * y, z * z, y * z, x * z, x * y]
+}
+
+/// ω ωᵀ − ω² 1, by products of ω: what takes a place on a body to its centripetal acceleration.
 #[cfg_attr(optimised, inline(always))]
-pub(crate) fn swirl<T: Scalar>([x, y, z]: [T; 3]) -> super::number::Rows<T> {
-    let (xx, yy, zz) = (x * x, y * y, z * z);
-    let (yz, xz, xy) = (Number::of(y * z), Number::of(x * z), Number::of(x * y));
+pub(crate) fn swirl<T: Scalar>([xx, yy, zz, yz, xz, xy]: [T; 6]) -> super::number::Rows<T> {
+    let (yz, xz, xy) = (Number::of(yz), Number::of(xz), Number::of(xy));
     [[Number::of(-(yy + zz)), xy, xz], [xy, Number::of(-(xx + zz)), yz], [xz, yz, Number::of(-(xx + yy))]]
 }
 
@@ -180,7 +184,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT,
     }
     #[inline(always)]
     fn gyroscopic(&self, spin: [T; 3]) -> [Triple<T>; 2] {
-        let [force, torque] = self.stirred(spin);
+        let [force, torque] = self.stirred(products(spin));
         [if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(force) }, triple(torque)]
     }
     #[cfg_attr(optimised, inline(always))]
@@ -254,12 +258,17 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Element<Spatial<T>> for Link
         _: &mut Vector3<T>,
         _: &mut Vector3<T>,
     ) -> Turn<T> {
-        let [force, torque] = self.stirred(turn.spin.into());
-        y[1] = Vector3::from(torque);
-        if const { MOMENT & 7 != 0 } {
-            y[0] = Vector3::from(force);
-        }
-        turn
+        apart::<T, _>(
+            #[cfg_attr(optimised, inline(always))]
+            || {
+                let [force, torque] = self.stirred(products(turn.spin.into()));
+                y[1] = Vector3::from(torque);
+                if const { MOMENT & 7 != 0 } {
+                    y[0] = Vector3::from(force);
+                }
+                turn
+            },
+        )
     }
     #[inline(always)]
     fn resolve((): &(), _: &mut Columns<T>, _: &mut [Vector3<T>; 2], _: &mut Vector3<T>, _: &mut Vector3<T>) {}
@@ -303,8 +312,13 @@ where
         given: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
     ) -> Local<T, Q> {
-        let relation = outer.with(self.alone([posture.y[0].into(), posture.y[1].into()]));
-        given.on_bodies.on_others(relation, given.springs)
+        apart::<T, _>(
+            #[cfg_attr(optimised, inline(always))]
+            || {
+                let relation = outer.with(self.alone([posture.y[0].into(), posture.y[1].into()]));
+                given.on_bodies.on_others(relation, given.springs)
+            },
+        )
     }
 }
 

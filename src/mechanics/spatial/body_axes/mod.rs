@@ -23,10 +23,12 @@ mod number;
 pub mod places;
 mod relation;
 mod rotor;
+mod sensitive;
 pub mod solids;
 mod sparse;
 mod standing;
 mod through;
+mod tilted;
 mod torques;
 mod turns;
 

@@ -1,6 +1,7 @@
 //! The way from inertial axes to those of bodies.
 
 use super::relation::{Borne, Local, Settled};
+use super::tilted::Tilted;
 use crate::counts::Counted;
 use crate::element::{Condense, Element, Given, Posture, Springs, Sweep};
 use crate::ends::{Held, Root};
@@ -9,7 +10,6 @@ use crate::error::{Error, Fault, Place};
 use crate::lift::lift;
 use crate::mechanics::spatial::{Acceleration, Frame, JointMotion, Spatial, Turn};
 use crate::relation::Closures;
-use crate::relation::spatial::Full;
 use crate::relation::spatial::algebra::Columns;
 use crate::release::Release;
 use crate::scalar::Scalar;
@@ -148,17 +148,17 @@ mount!(BodyAxes, false);
 mount!(Upright, true);
 
 impl<T: Scalar, Q: Closures, W: Sweep<Spatial<T>>> Condense<Spatial<T>, Local<T, Q>, W> for BodyAxes {
-    type Out = Full<T, Q>;
+    type Out = Tilted<T, Q>;
 
-    #[cfg_attr(optimised, inline(always))]
+    #[inline(always)]
     fn condense(
         &self,
         outer: Local<T, Q>,
         posture: Posture<'_, Spatial<T>, Self>,
         _: Given<'_, Spatial<T>, Self, W>,
         (): &mut (),
-    ) -> Full<T, Q> {
-        outer.turned(posture.x)
+    ) -> Tilted<T, Q> {
+        Tilted::new(outer, *posture.x)
     }
 }
 

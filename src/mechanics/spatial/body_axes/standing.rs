@@ -1,7 +1,7 @@
 //! What a joint makes of vectors of its parent and of its body.
 
 use super::axis::{Armature, Axis, Bearing, Mode};
-use super::link::swirl;
+use super::link::{products, swirl};
 use super::number::{Number, Rows, Triple, apply, cross_onto, masked, sum, transposed, triple, values};
 use super::turns::Offset;
 use crate::release::slopes;
@@ -73,7 +73,7 @@ pub trait Standing<T: Scalar>: Copy {
     /// What accelerates the joint's place besides the parent's origin, in axes of the parent.
     #[inline(always)]
     fn swung(&self, spin: [T; 3]) -> Triple<T> {
-        apply(&swirl(spin), self.arm())
+        apply(&swirl(products(spin)), self.arm())
     }
 
     /// What accelerates the body besides, in its own axes, at its angular velocity: angular for a hinge (z is zero), linear for a slide.

@@ -1,11 +1,12 @@
 //! The joint of a chain that floats.
 
 use crate::element::{Condense, Given, Posture, Sweep};
+use crate::lift::lift;
 use crate::mechanics::spatial::release::{self, Release};
 use crate::mechanics::spatial::stored::{One, Stored};
 use crate::mechanics::spatial::{Acceleration, Ball, Frame, Joint, JointMotion, Rotation, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, Symmetric3, is_finite, zero};
-use crate::relation::spatial::{Factor6, Point, Relation, Rigid};
+use crate::relation::spatial::{Factor6, Point, Rigid};
 use crate::relation::{Absent, Closures, Open, Symmetric};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -148,8 +149,10 @@ impl<T: Scalar, R: Rigid<T>, W: Sweep<Spatial<T>, Closures = R::Closures>> Conde
         _: Given<'_, Spatial<T>, Self, W>,
         kept: &mut Afloat<T, R::Closures>,
     ) -> Self::Out {
-        let (acceleration, per_closure, cuts) = outer.full().with_mass(self.lumped).afloat();
+        let (acceleration, per_closure, cuts) = outer.afloat_with(self.lumped);
         (kept.acceleration, kept.per_closure) = (acceleration, per_closure);
         Point { mass: Symmetric3::diagonal(T::zero()), offset: zero(), torque: Absent, cuts }
     }
 }
+
+lift!(Floating { lumped });

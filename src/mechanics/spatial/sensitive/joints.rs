@@ -40,6 +40,45 @@ fn angle_of<T: Scalar, const K: usize>(rotation: &Rotation<Jet<T, K>>) -> Vector
     angle
 }
 
+/// Carries a motion on to a body whose attitude, angular velocity and acceleration do not depend on what is inboard.
+#[cfg_attr(optimised, inline(always))]
+pub(super) fn vary_turn<T: Scalar, const K: usize>(
+    attitude: &Columns<T>,
+    (position, rate): (&Rotation<Jet<T, K>>, &[Jet<T, K>; 3]),
+    angular: Vector3<T>,
+    carried: &mut Passing<T, K>,
+    acceleration: &mut [Jet<T, K>; 3],
+) {
+    let (attitude, rate) = (*attitude, Vector3::from(*rate));
+    let spin = attitude.apply(value(&rate));
+    let own: [T; 3] = attitude.transposed(angular).into();
+    for (to, from) in acceleration.iter_mut().zip(own) {
+        to.re = from;
+    }
+    carried.turn = Turn { attitude, spin };
+    carried.acceleration.angular = angular;
+    let angle = angle_of(position);
+    carried.spin = none();
+    apply(&mut carried.spin, &crossed(-spin), &angle);
+    apply(&mut carried.spin, &attitude, &parts(&rate));
+    carried.angular = none();
+    apply(&mut carried.angular, &crossed(-angular), &angle);
+    carried.angle = angle;
+}
+
+/// Columns of a vector in axes of a body, from those in inertial ones.
+#[cfg_attr(optimised, inline(always))]
+pub(super) fn in_own<T: Scalar, const K: usize>(
+    &Columns { x, y, z }: &Columns<T>,
+    columns: &Vectors<T, K>,
+    own: &mut [Jet<T, K>; 3],
+) {
+    for (to, axis) in own.iter_mut().zip([x, y, z]) {
+        to.eps = [T::zero(); K];
+        project(&mut to.eps, axis, columns);
+    }
+}
+
 fn full<T: Scalar>(point: Point<T, impl Term<Vector3<T>>>) -> Full<T> {
     Full { linear: point.mass, force: point.offset, torque: point.torque.add_to(zero()), ..Full::massless() }
 }
@@ -93,24 +132,9 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
         store: &mut Self::Room,
         acceleration: &mut [Jet<T, K>; 3],
     ) {
-        let attitude = *at.posture.x;
-        let rate = Vector3::from(*at.rate);
-        let spin = attitude.apply(value(&rate));
         let angular = store.gain.angular(carried.acceleration.linear, &());
-        let own: [T; 3] = attitude.transposed(angular).into();
-        for (to, from) in acceleration.iter_mut().zip(own) {
-            to.re = from;
-        }
-        carried.turn = Turn { attitude, spin };
-        carried.acceleration.angular = angular;
-        let angle = angle_of(at.position);
-        carried.spin = none();
-        apply(&mut carried.spin, &crossed(-spin), &angle);
-        apply(&mut carried.spin, &attitude, &parts(&rate));
-        carried.angular = none();
-        apply(&mut carried.angular, &crossed(-angular), &angle);
-        carried.angle = angle;
-        store.angle = angle;
+        vary_turn(at.posture.x, (at.position, at.rate), angular, carried, acceleration);
+        store.angle = carried.angle;
     }
     #[cfg_attr(optimised, inline(always))]
     fn gather<N: Seeds>(
@@ -151,11 +175,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
     ) {
         carried.angular = acceleration.map(|x| x.eps);
         apply(&mut carried.angular, &store.gain.per_acceleration, &carried.linear);
-        let Columns { x, y, z } = *at.posture.x;
-        for (to, axis) in acceleration.iter_mut().zip([x, y, z]) {
-            to.eps = [T::zero(); K];
-            project(&mut to.eps, axis, &carried.angular);
-        }
+        in_own(at.posture.x, &carried.angular, acceleration);
     }
 }
 

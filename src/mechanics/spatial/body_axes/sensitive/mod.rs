@@ -1,0 +1,35 @@
+//! Derivatives through kept gains in body axes.
+//!
+//! All that is carried is in axes of the body on the inboard side: columns of ω, of the acceleration of the origin and of α outward, of a
+//! force and torque about it inward. How bodies are turned is nobody's concern, for gravity is an acceleration of the ground: a coordinate
+//! acts where it is. So there are no columns of attitudes, and zeros of places, turns and tensors drop columns, too.
+
+mod joints;
+mod links;
+mod mounts;
+
+use crate::scalar::{Jet, Scalar};
+use nalgebra::Vector3;
+
+/// How products of ω (xx, yy, zz, yz, xz, xy) change with it.
+#[inline(always)]
+fn products_varied<T: Scalar>([x, y, z]: [T; 3], [dx, dy, dz]: [T; 3]) -> [T; 6] {
+    let twice = |a: T, b: T| {
+        let product = a * b;
+        product + product
+    };
+    let both = |a: T, db: T, b: T, da: T| a.mul_add(db, b * da);
+    [twice(x, dx), twice(y, dy), twice(z, dz), both(y, dz, z, dy), both(x, dz, z, dx), both(x, dy, y, dx)]
+}
+
+/// z × v, for the z axis.
+#[inline(always)]
+fn about_z<T: Scalar>([x, y, _]: [T; 3]) -> [T; 2] {
+    [-y, x]
+}
+
+/// A vector and its columns, as numbers with derivatives.
+fn jets<T: Scalar, const K: usize>(v: Vector3<T>, columns: &[[T; K]; 3]) -> [Jet<T, K>; 3] {
+    let [x, y, z] = *columns;
+    [Jet { re: v.x, eps: x }, Jet { re: v.y, eps: y }, Jet { re: v.z, eps: z }]
+}
