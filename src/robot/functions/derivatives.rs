@@ -132,10 +132,13 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         R: FixedBase<T>,
         C: Tasks<T, N>,
     {
-        let now = self.snapshot(q, v)?;
-        let (mut moved, mut matrix) = (now.moved(), [[T::zero(); N]; N]);
+        let (mut now, mut matrix) = (self.snapshot(q, v)?, [[T::zero(); N]; N]);
         // In axes of bodies M has all digits where a last link has little inertia; about the origin of screws these cancel.
         self.mass_matrix_into(q, &mut matrix)?;
+        if const { R::RESTS } {
+            now.about_the_lightest(|k| matrix[k][k]);
+        }
+        let mut moved = now.moved();
         // Joints of which neither carries the other.
         for rows in [&mut by.positions, &mut by.rates, &mut *by_torques] {
             rows.as_flattened_mut().fill(T::zero());

@@ -103,6 +103,15 @@ pub struct Moved<T, const N: usize> {
 }
 
 impl<T: Scalar, const N: usize> Snapshot<T, N> {
+    /// Puts the origin where the joint of least inertia is, on a base that rests: what turns a wrist of little inertia at a great acceleration cancels
+    /// about an origin far away, and with it five digits.
+    pub(in crate::robot::functions) fn about_the_lightest(&mut self, inertia: impl Fn(usize) -> T) {
+        let lighter = |a: usize, b: usize| if inertia(b).real() < inertia(a).real() { b } else { a };
+        if let Some(lightest) = (0..N).reduce(lighter) {
+            self.base.place.place = self.bodies[lightest].place.place;
+        }
+    }
+
     /// A body at a twist.
     #[cfg_attr(optimised, inline(always))]
     fn body_moved(&self, body: &Moving<T>, v: Pair<T>) -> Outboard<T> {
