@@ -109,6 +109,18 @@ fn limits_as_large_as_numbers_make_no_laws() {
     }
 }
 
+/// A joint turned about one axis says which entries of its turn are zero and one; one that is turned anyhow does not.
+#[test]
+fn turns_are_written_with_what_is_known_of_them() {
+    let of = |angles: &str| {
+        let inside = format!(r#"<origin rpy="{angles}"/><axis xyz="1 0 0"/>"#);
+        module(&read(&pair("continuous", &inside, ""), Options::new().elements(Elements::Local)), "r")
+    };
+    let (about_one, anyhow) = (of("0 0 0.4"), of("0.1 0.2 0.4"));
+    assert!(about_one.contains("Hinge<T, Turned<T, ") && about_one.contains(".known::<"), "{about_one}");
+    assert!(anyhow.contains("Hinge<T, Turned<T>, "), "{anyhow}");
+}
+
 #[test]
 fn modules_import_what_they_use() {
     let all = Laws::none().damping().friction([0.1; 2]).stops([0.02; 2], [1.0; 2]).motors();

@@ -42,9 +42,27 @@ pub fn joint(body: &Body, general: bool) -> Joint {
         _ if general => ("Turned<T>".to_owned(), Some(full(&turn))),
         _ if turn == IDENTITY => ("Level".to_owned(), None),
         Some(code) => (format!("Quarter<{code}>"), Some(format!("Quarter::<{code}>"))),
-        None => ("Turned<T>".to_owned(), Some(full(&turn))),
+        None => match known(&turn) {
+            (turn, 0) => ("Turned<T>".to_owned(), Some(full(&turn))),
+            (turn, code) => (format!("Turned<T, {code}>"), Some(format!("{}.known::<{code}>()", full(&turn)))),
+        },
     };
     Joint { mask, place, offset, turned }
+}
+
+/// A turn without what is rounding of zeros and ones, and what is known of its entries: two bits for each, row by row.
+fn known(turn: &Matrix) -> (Matrix, u32) {
+    let near = |x: f64, y: f64| (x - y).abs() <= ROUNDED;
+    let alone =
+        |i: usize, k: usize| (0..3).all(|m| (m == k || near(turn[i][m], 0.0)) && (m == i || near(turn[m][k], 0.0)));
+    let entry = |i: usize, k: usize| match turn[i][k] {
+        x if near(x, 0.0) => (0.0, 1),
+        x if near(x, 1.0) && alone(i, k) => (1.0, 2),
+        x if near(x, -1.0) && alone(i, k) => (-1.0, 3),
+        x => (x, 0),
+    };
+    let code = (0..9).rev().fold(0, |code, at| code << 2 | entry(at / 3, at % 3).1);
+    (matrix(|i, k| entry(i, k).0), code)
 }
 
 /// Axes of a turn.

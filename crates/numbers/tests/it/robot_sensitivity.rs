@@ -64,7 +64,9 @@ fn robots_on_bodies_and_on_bases_that_move_have_the_derivatives_of_dual_numbers(
         let body = RigidBody::new(x(1.3, 15), tensor, [x(0.4, 16), x(0.1, FIXED), o], [x(0.9, 17), x(-0.2, FIXED), o]);
         let rod = Rod::uniform(x(0.7, 18), x(0.3, FIXED), x(0.01, FIXED));
         let elbow = Hinge::at::<0b001>([x(0.3, 19), o, o]).turned(Quarter::<30>);
-        let robot = (BodyAxes, Hinge::level(), link(&x, 0), elbow, link(&x, 7), Branch((elbow, link(&x, FIXED - 10))));
+        const ABOUT_X: u32 = Turned::<f64>::code([[2, 1, 1], [1, 0, 0], [1, 0, 0]]);
+        let lean = turn([x(0.4, FIXED), o, o]).known::<ABOUT_X>();
+        let robot = (BodyAxes, Hinge::level().turned(lean), link(&x, 0), elbow, link(&x, 7), Branch((elbow, link(&x, FIXED - 10))));
         let joint = Revolute::about([x(0.1, 20), x(1.0, FIXED), x(0.3, FIXED)]);
         let system = System::new(Pinned::at([o, o, o]), (rod, joint, body, robot), Free)?.with_gravity([o, o, -x(9.81, 21)]);
         let numbers: [_; 7] = core::array::from_fn(|i| x(number(i), if i < 2 { 22 + i } else { FIXED }));

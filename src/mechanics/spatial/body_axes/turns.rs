@@ -1,6 +1,6 @@
 //! How the axes of a body are turned against those of its parent while its joint is at zero.
 
-use super::number::{Number, Rows, triple};
+use super::number::{Number, Rows};
 use crate::error::Fault;
 use crate::error::checks::finite;
 use crate::lift::{Lift, lift};
@@ -54,13 +54,23 @@ pub struct Leaning<T> {
 }
 
 /// Any turn.
+///
+/// `KNOWN` says of its matrix, whose columns are the body's axes, which entries are zero, one or minus one: two bits for each, row by row, 1, 2 or 3;
+/// 0 where nothing is known, as by default. What is known costs nothing: of a turn about one axis most is.
+///
+/// ```
+/// use catena::robot::{Rotation, Turned};
+/// let lean = Rotation::from_angles([0.0, 0.0, 0.3_f64]); // about z
+/// const ABOUT_Z: u32 = Turned::<f64>::code([[0, 0, 1], [0, 0, 1], [1, 1, 2]]);
+/// let turned = Turned::by(lean).known::<ABOUT_Z>();
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
     feature = "serde",
     serde(bound(serialize = "Columns<T>: serde::Serialize", deserialize = "Columns<T>: serde::Deserialize<'de>"))
 )]
-pub struct Turned<T> {
+pub struct Turned<T, const KNOWN: u32 = 0> {
     axes: Columns<T>,
 }
 
@@ -99,6 +109,42 @@ impl<T: Scalar> Turned<T> {
     /// With the body's axes as columns, in axes of the parent: orthonormal and right-handed to half of the digits, which the scene checks.
     pub fn axes([x, y, z]: [[T; 3]; 3]) -> Self {
         Self { axes: Columns { x: Vector3::from(x), y: Vector3::from(y), z: Vector3::from(z) } }
+    }
+
+    /// What is known of the entries of a matrix, row by row: 1 of a zero, 2 of a one, 3 of a minus one, 0 of others.
+    pub const fn code(rows: [[u8; 3]; 3]) -> u32 {
+        let (mut code, mut entry) = (0, 9);
+        while entry > 0 {
+            entry -= 1;
+            code = code << 2 | rows[entry / 3][entry % 3] as u32;
+        }
+        code
+    }
+
+    /// This turn, of a type that says what is known of its entries: [`System::new`](crate::system::System::new) refuses it where one is another
+    /// number.
+    pub fn known<const KNOWN: u32>(self) -> Turned<T, KNOWN> {
+        Turned { axes: self.axes }
+    }
+}
+
+impl<T: Scalar, const KNOWN: u32> Turned<T, KNOWN> {
+    /// Entries, row by row.
+    #[inline(always)]
+    fn entries(&self) -> [[T; 3]; 3] {
+        let Columns { x, y, z } = self.axes;
+        [[x.x, y.x, z.x], [x.y, y.y, z.y], [x.z, y.z, z.z]]
+    }
+
+    /// An entry as it is known.
+    #[cfg_attr(optimised, inline(always))]
+    fn entry(i: usize, k: usize, value: T) -> Number<T> {
+        match KNOWN >> (2 * (3 * i + k)) & 3 {
+            0 => Number::of(value),
+            1 => Number::zero(),
+            2 => Number::one(),
+            _ => Number::one().negated(),
+        }
     }
 }
 
@@ -153,28 +199,44 @@ impl<T: Scalar> Offset<T> for Leaning<T> {
     }
 }
 
-impl<T: Scalar> Offset<T> for Turned<T> {
+impl<T: Scalar, const KNOWN: u32> Offset<T> for Turned<T, KNOWN> {
     const NUMBERED: bool = true;
 
-    #[inline(always)]
+    #[cfg_attr(optimised, inline(always))]
     fn rows(&self) -> Rows<T> {
-        let Columns { x, y, z } = self.axes;
-        [triple([x.x, y.x, z.x]), triple([x.y, y.y, z.y]), triple([x.z, y.z, z.z])]
+        let [a, b, c] = self.entries();
+        [
+            [Self::entry(0, 0, a[0]), Self::entry(0, 1, a[1]), Self::entry(0, 2, a[2])],
+            [Self::entry(1, 0, b[0]), Self::entry(1, 1, b[1]), Self::entry(1, 2, b[2])],
+            [Self::entry(2, 0, c[0]), Self::entry(2, 1, c[1]), Self::entry(2, 2, c[2])],
+        ]
     }
     fn check(&self) -> Result<(), Fault> {
-        let Columns { x, y, z } = self.axes;
-        [x, y, z].into_iter().try_for_each(|axis| finite("turn of a body's axes", &[axis.x, axis.y, axis.z]))?;
-        let fault = Fault::NotZero { parameter: "what a turn's axes miss to be orthonormal and right-handed" };
-        if orthonormal(&self.axes) { Ok(()) } else { Err(fault) }
+        let entries = self.entries();
+        entries.iter().try_for_each(|row| finite("turn of a body's axes", row))?;
+        if !orthonormal(&self.axes) {
+            return Err(Fault::NotZero { parameter: "what a turn's axes miss to be orthonormal and right-handed" });
+        }
+        let as_known =
+            |i: usize, k: usize| (Self::entry(i, k, entries[i][k]).value() - entries[i][k]).is_identical(T::zero());
+        let all = (0..9).all(|entry| as_known(entry / 3, entry % 3));
+        if all { Ok(()) } else { Err(Fault::NotZero { parameter: "turn's entries, less what its type says they are" }) }
     }
 }
 
 lift!(Level);
-lift!(Leaning { cosine, sine }, Turned { axes });
+lift!(Leaning { cosine, sine });
 
 impl<T: Scalar, U: Scalar, const CODE: u8> Lift<T, U> for Quarter<CODE> {
     type Over = Self;
     fn lift(&self, _: &mut impl FnMut(T) -> U) -> Self {
         *self
+    }
+}
+
+impl<T: Scalar, U: Scalar, const KNOWN: u32> Lift<T, U> for Turned<T, KNOWN> {
+    type Over = Turned<U, KNOWN>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Turned { axes: self.axes.lift(number) }
     }
 }

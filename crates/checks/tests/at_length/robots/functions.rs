@@ -89,6 +89,26 @@ fn axes_that_are_no_turn_are_refused() {
     }
 }
 
+/// Of a turn about one axis five entries are known; a scene that says so moves alike, and one that says too much is refused.
+#[test]
+fn turns_may_say_which_entries_they_know() -> Result<(), catena::Error> {
+    const ABOUT_Z: u32 = Turned::<f64>::code([[0, 0, 1], [0, 0, 1], [1, 1, 2]]);
+    let (mass, centre, tensor) = super::kit::body(1);
+    let link = Link::general(mass, centre, tensor);
+    let (s, c) = 0.4_f64.sin_cos();
+    let lean = Turned::axes([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]]);
+    let any = Turned::by(Rotation::from_angles([0.3, 0.0, 0.4]));
+    let first = Hinge::level().turned(Quarter::<30>).grounded();
+    let joint = Hinge::at::<0b101>([0.1, 0.0, 0.3]);
+    let plain = System::new(Base::origin(), (first, link, joint.turned(lean), link), Free)?;
+    let known = System::new(Base::origin(), (first, link, joint.turned(lean.known::<ABOUT_Z>()), link), Free)?;
+    let (q, v, torques) = ([0.3, -0.4], [0.5, -0.2], [1.0, -2.0]);
+    agree(&known.forward_dynamics(&q, &v, &torques)?, &plain.forward_dynamics(&q, &v, &torques)?, DIRECT);
+    let wrong = System::new(Base::origin(), (first, link, joint.turned(any.known::<ABOUT_Z>()), link), Free);
+    assert!(matches!(wrong.map(|_| ()).unwrap_err().fault, catena::Fault::NotZero { .. }));
+    Ok(())
+}
+
 /// A torque that is not finite is found in its joint: the second, two stations out; not at the root, which takes none.
 #[test]
 fn torques_that_are_not_finite_name_their_joint() -> Result<(), catena::Error> {
