@@ -143,12 +143,7 @@ fn gather_body<N: Seeds, T: Scalar, const K: usize>(
 
     // J in inertial axes, A J Aᵀ: (J Aᵀ)ᵀ = A J, as J is symmetric.
     let half = attitude.times(&inertia.matrix());
-    let transpose = |m: &Columns<T>| Columns {
-        x: Vector3::new(m.x.x, m.y.x, m.z.x),
-        y: Vector3::new(m.x.y, m.y.y, m.z.y),
-        z: Vector3::new(m.x.z, m.y.z, m.z.z),
-    };
-    let j = attitude.times(&transpose(&half));
+    let j = attitude.times(&transposed(&half));
     let momentum = j.apply(w);
     let change = j.apply(acceleration.angular);
     let of_momentum = times_crossed(&j, w) + crossed(-momentum);

@@ -31,6 +31,12 @@ pub(in crate::mechanics::spatial) fn crossed<T: Scalar>(v: Vector3<T>) -> Column
     Columns { x: Vector3::new(o, v.z, -v.y), y: Vector3::new(-v.z, o, v.x), z: Vector3::new(v.y, -v.x, o) }
 }
 
+/// Mᵀ.
+#[inline(always)]
+pub(in crate::mechanics::spatial) fn transposed<T: Scalar>(Columns { x, y, z }: &Columns<T>) -> Columns<T> {
+    Columns { x: Vector3::new(x.x, y.x, z.x), y: Vector3::new(x.y, y.y, z.y), z: Vector3::new(x.z, y.z, z.z) }
+}
+
 #[inline(always)]
 pub(in crate::mechanics::spatial) fn minus<T: Scalar>(m: Columns<T>) -> Columns<T> {
     Columns { x: -m.x, y: -m.y, z: -m.z }

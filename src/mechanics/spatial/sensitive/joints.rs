@@ -1,6 +1,6 @@
 //! Derivatives through kept gains in space: what joints do.
 
-use super::columns::{Vectors, add_along, apply, crossed, none, parts, project, value};
+use super::columns::{Vectors, add_along, apply, crossed, none, parts, project, transposed, value};
 use super::{Answering, Passing, Pulling, turned};
 use crate::lift::Lift;
 use crate::mechanics::spatial::loads::Effort;
@@ -154,10 +154,7 @@ impl<T: Scalar, const K: usize> Sensitive<Spatial<Jet<T, K>>> for Ball {
                 columns!(K; applied = *applied; k: mut residual = *residual => residual[k] - applied[k]);
             }
         }
-        let Columns { x, y, z } = store.gain.per_acceleration;
-        let transposed =
-            Columns { x: Vector3::new(x.x, y.x, z.x), y: Vector3::new(x.y, y.y, z.y), z: Vector3::new(x.z, y.z, z.z) };
-        apply(&mut carried.forces, &transposed, &carried.torques);
+        apply(&mut carried.forces, &transposed(&store.gain.per_acceleration), &carried.torques);
         let mut free = none();
         apply(&mut free, &store.minus_inverse, &carried.torques);
         for (to, from) in acceleration.iter_mut().zip(free) {

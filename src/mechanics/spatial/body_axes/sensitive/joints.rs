@@ -55,12 +55,6 @@ struct Moving<'a, T, J> {
     angular: [T; 3],
 }
 
-/// A number along z more.
-#[inline(always)]
-fn raised<T: Scalar>([x, y, z]: [T; 3], more: T) -> [T; 3] {
-    [x, y, z + more]
-}
-
 /// v + z × w f.
 #[inline(always)]
 fn swept<T: Scalar>([x, y, z]: [T; 3], w: [T; 3], f: T) -> [T; 3] {
@@ -82,7 +76,8 @@ impl<T: Scalar, J: Standing<T>> Moving<'_, T, J> {
             // ω × z q̇ is no part of what turns with the body, but follows from its ω.
             let [u, v, _] = self.angular;
             let carried = [rate.mul_add(-y, u), rate.mul_add(x, v), T::zero()];
-            let spin = raised(swept(spin, self.spin, -of_position), of_rate);
+            let mut spin = swept(spin, self.spin, -of_position);
+            spin[2] += of_rate;
             let angular = swept(swept(angular, carried, -of_position), self.spin, -of_rate);
             return [spin, swept(linear, self.linear, -of_position), swept(angular, spin, -rate)];
         }
@@ -97,17 +92,22 @@ impl<T: Scalar, J: Standing<T>> Moving<'_, T, J> {
         let b = y.mul_add(of_radial, dy.mul_add(radial, b));
         [spin, [a, b, c - of_position.mul_add(square, (way + way) * of_square)], angular]
     }
+}
 
-    /// A column of force and torque at the parent's origin, from that at the body's, where `forces` are the values.
-    #[cfg_attr(optimised, inline(always))]
-    fn carried(&self, [force, torque]: [[T; 3]; 2], forces: [[T; 3]; 2], of_position: T) -> [[T; 3]; 2] {
-        let column = if const { J::TURNS } {
-            [swept(force, forces[0], of_position), swept(torque, forces[1], of_position)]
-        } else {
-            [force, swept(torque, forces[0], of_position)]
-        };
-        self.joint.carried(self.stand, column.map(triple)).map(values)
-    }
+/// A column of force and torque at the parent's origin, from that at the body's, where `forces` are the values.
+#[cfg_attr(optimised, inline(always))]
+fn carried<T: Scalar, J: Standing<T>>(
+    (joint, stand): (&J, Stand<T>),
+    [force, torque]: [[T; 3]; 2],
+    forces: [[T; 3]; 2],
+    of_position: T,
+) -> [[T; 3]; 2] {
+    let column = if const { J::TURNS } {
+        [swept(force, forces[0], of_position), swept(torque, forces[1], of_position)]
+    } else {
+        [force, swept(torque, forces[0], of_position)]
+    };
+    joint.carried(stand, column.map(triple)).map(values)
 }
 
 /// A place with derivatives: of a hinge d(sine) = cosine dq, d(cosine) = −sine dq.
@@ -247,15 +247,13 @@ where
         let [force, torque] = joint.carried(stand, forces.map(triple));
         (carried.force, carried.torque) = (plain(force), plain(torque));
         let ([fx, fy, fz], [tx, ty, tz]) = (&mut carried.forces, &mut carried.torques);
-        let z = T::zero();
-        let moving = Moving { joint, stand, rate: z, inboard: [z; 3], spin: [z; 3], linear: [z; 3], angular: [z; 3] };
         let seeded = N::PARAMETERS && store.seeded;
         columns!(K; q = at.position.eps, effort = effort.eps; k:
             let left = effort[k] - if const { M::TURNS } { tz[k] } else { fz[k] },
             let force = [linear[0].mul_add(left, fx[k]), linear[1].mul_add(left, fy[k]), linear[2].mul_add(left, fz[k])],
             let torque =
                 [angular[0].mul_add(left, tx[k]), angular[1].mul_add(left, ty[k]), angular[2].mul_add(left, tz[k])],
-            let new = if seeded { [force, torque] } else { moving.carried([force, torque], forces, q[k]) },
+            let new = if seeded { [force, torque] } else { self::carried((joint, stand), [force, torque], forces, q[k]) },
             mut free = acceleration.eps => left * inverse,
             mut fx = *fx => new[0][0],
             mut fy = *fy => new[0][1],

@@ -9,7 +9,7 @@
 //! where both brackets are linear in the products of ω.
 
 use super::super::link::{Link, products};
-use super::super::number::{Triple, triple, values};
+use super::super::number::{Number, triple, values};
 use super::super::relation::Local;
 use super::super::through::Solid;
 use super::{jets, products_varied};
@@ -41,7 +41,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     #[inline(always)]
     fn forces(&self, p: [[T; 3]; 2], products: [T; 6]) -> [[T; 3]; 2] {
         let [force, torque] = self.stirred(products);
-        let force: Triple<T> = if const { MOMENT & 7 == 0 } { triple([-T::zero(); 3]) } else { triple(force) };
+        let force = if const { MOMENT & 7 == 0 } { [Number::zero(); 3] } else { triple(force) };
         self.resisted(p.map(triple), [force, triple(torque)]).map(values)
     }
 }

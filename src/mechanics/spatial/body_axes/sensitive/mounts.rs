@@ -4,19 +4,13 @@ use super::super::mount::{BodyAxes, Upright};
 use super::super::relation::Local;
 use crate::mechanics::spatial::Spatial;
 use crate::mechanics::spatial::loads::Effort;
-use crate::mechanics::spatial::sensitive::columns::{Vectors, apply, crossed, none};
+use crate::mechanics::spatial::sensitive::columns::{Vectors, apply, crossed, none, transposed};
 use crate::mechanics::spatial::sensitive::{Answering, Passing, Pulling};
 use crate::relation::spatial::Full;
 use crate::relation::spatial::algebra::Columns;
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::{At, Seeds, Sensitive};
 use nalgebra::Vector3;
-
-/// Aᵀ.
-#[inline(always)]
-fn transposed<T: Scalar>(Columns { x, y, z }: &Columns<T>) -> Columns<T> {
-    Columns { x: Vector3::new(x.x, y.x, z.x), y: Vector3::new(x.y, y.y, z.y), z: Vector3::new(x.z, y.z, z.z) }
-}
 
 /// A vector v of inertial axes in those of a body turned by φ, and its columns: Aᵀ (dv + v × φ).
 #[cfg_attr(optimised, inline(always))]
