@@ -1,5 +1,5 @@
 //! A published robot: `states` writes random states and what functions answer there, `time` what they take (ns), as the bench `times` of
-//! catena-urdf-robots does for shipped ones.
+//! catena-urdf-robots does for shipped ones, and `sweeps N` sweeps N times under torques, to be counted.
 
 #[macro_use]
 #[path = "../../../../crates/catena-urdf/tests/robots/benches/parts/states.rs"]
@@ -9,7 +9,7 @@ include!(concat!(env!("OUT_DIR"), "/robot.rs"));
 
 #[cfg(not(floats))]
 use catena::robot::Place;
-use catena::robot::{SixRows, Snapshot};
+use catena::robot::{SixRows, Snapshot, Torques};
 use catena::system::{Dynamics, Rate};
 use states::{Noise, Outcome, STATES, State, Work, write};
 use std::hint::black_box;
@@ -101,8 +101,34 @@ fn more() -> Outcome {
     Ok(())
 }
 
+/// Sweeps of the scene, all joints under torques.
+fn sweeps(times: usize) -> Outcome {
+    let scene = robot::scene::<f64>()?;
+    let (mut motion, mut noise) = (scene.motion(), Noise(5));
+    let mut list = motion.coordinates();
+    let first = list.len() - robot::JOINTS.len();
+    list[first..].iter_mut().for_each(|x| *x = noise.next());
+    motion.set_coordinates(&list)?;
+    let rates: Vec<f64> = (0..motion.rate_count()).map(|_| noise.next()).collect();
+    motion.set_rates(&rates)?;
+    let (loads, mut workspace) = (Torques([0.5; robot::JOINTS.len()]), scene.workspace());
+    let mut found = motion.acceleration().clone();
+    for _ in 0..times {
+        let (position, rate) = black_box((motion.position(), motion.rate()));
+        scene.accelerations(0.0, position, rate, black_box(&loads), &mut workspace, &mut found);
+        black_box(&found);
+    }
+    Ok(())
+}
+
 fn main() -> Outcome {
-    let work = Work(std::env::args().nth(1).as_deref() == Some("time"));
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    if let [mode, times] = &words[..]
+        && mode == "sweeps"
+    {
+        return sweeps(times.parse()?);
+    }
+    let work = Work(words.first().is_some_and(|mode| mode == "time"));
     #[cfg(not(floats))]
     robot!(work, robot, link::LAST, fixed);
     #[cfg(floats)]
