@@ -13,6 +13,7 @@ use crate::shape::{Body, PerAxes, PerBody, PerJoint, Positions, Rates, Shape};
 use crate::space::FrameOf;
 use crate::system::{Dynamics, Elements, MotionOf, PositionOf, RateOf, Runs, System};
 use crate::visit::survey;
+use crate::walks::exert::Exert;
 use crate::walks::fits::fits;
 use crate::walks::sines::sines;
 use crate::walks::size::sizes;
@@ -167,31 +168,21 @@ where
     }
 }
 
-/// Evaluates loads.
-struct Loads<'a, S: Varied, L: Loading<S>> {
-    loads: &'a L,
-    seen: L::Seen,
-    time: RealOf<S>,
-    body: usize,
-    joint: usize,
-}
+/// Evaluates loads as wrenches and efforts.
+struct Loads<'a, S: Varied, L: Loading<S>>(Exert<'a, S, L>);
 
 impl<S: Varied, L: Loading<S, InJoint: Effort<S>>> Visit<S> for Loads<'_, S, L> {
     type OnBody = WrenchOf<S>;
     type InJoint = EffortOf<S>;
 
     fn body(&mut self, motion: &S::BodyMotion) -> WrenchOf<S> {
-        self.body += 1;
-        self.loads.on_body(&self.seen, self.time, self.body - 1, motion).wrench()
+        self.0.body(motion).wrench()
     }
     fn body_with<B: Body<S>>(&mut self, motion: &S::BodyMotion) -> WrenchOf<S> {
-        self.body += 1;
-        let load = self.loads.on_body(&self.seen, self.time, self.body - 1, motion);
-        if const { B::OWN_AXES } { load.in_own_axes(motion).wrench() } else { load.wrench() }
+        self.0.body_with::<B>(motion).wrench()
     }
     fn joint(&mut self, motion: &S::JointMotion) -> EffortOf<S> {
-        self.joint += 1;
-        self.loads.in_joint(self.time, self.joint - 1, motion).effort()
+        self.0.joint(motion).effort()
     }
 }
 
@@ -239,19 +230,12 @@ where
             let ground = self.scene.ground(time);
             if L::ON {
                 let SensitiveWorkspace { on_bodies, in_joints, store, .. } = workspace;
-                // Bodies that take loads in their own axes are told their attitudes.
-                if const { L::READS || Elements::<S, R, C>::OWN_AXES && size_of::<L::OnBody>() > 0 } {
+                if const { spread::is_listed::<S, Elements<S, R, C>, L>() } {
+                    spread::loads(elements, loads, (L::OnBody::wrench, L::InJoint::effort), on_bodies, in_joints);
+                } else {
                     let motion = Coordinates { position, rate, acceleration };
                     let seen = survey(elements, ground, motion, loads);
-                    let pass = Loads { loads, seen, time, body: 0, joint: 0 };
-                    travel(elements, ground, motion, pass, on_bodies, in_joints);
-                } else {
-                    spread::to_bodies(elements, loads.on_bodies_listed(), L::OnBody::wrench, on_bodies);
-                    if const { L::BY_COORDINATE } {
-                        spread::to_coordinates(elements, loads.in_joints_listed(), L::InJoint::effort, in_joints);
-                    } else {
-                        spread::to_joints(elements, loads.in_joints_listed(), L::InJoint::effort, in_joints);
-                    }
+                    travel(elements, ground, motion, Loads(Exert::new(loads, time, &seen)), on_bodies, in_joints);
                 }
                 elements.load(on_bodies, in_joints, store);
             }

@@ -128,15 +128,8 @@ pub fn sweep<S: Space, E, W, R, P>(
     } else {
         chain.pose(position, rate, ground.turn, sizes, x, y, p, q)
     };
-    // Bodies that take loads in their own axes are told their attitudes.
-    let listed = const { W::Loads::ON && !W::Loads::READS && !(E::OWN_AXES && size_of::<OnBody<S, W>>() > 0) };
-    if listed {
-        spread::to_bodies(chain, loads.on_bodies_listed(), |x| x, on_bodies);
-        if const { W::Loads::BY_COORDINATE } {
-            spread::to_coordinates(chain, loads.in_joints_listed(), |x| x, in_joints);
-        } else {
-            spread::to_joints(chain, loads.in_joints_listed(), |x| x, in_joints);
-        }
+    if const { W::Loads::ON && spread::is_listed::<S, E, W::Loads>() } {
+        spread::loads(chain, *loads, (|x| x, |x| x), on_bodies, in_joints);
     } else if W::Loads::ON {
         if const { <W::Springs as Springs<S::Scalar>>::STIFF && W::Loads::YIELDS } {
             // As laws of joints that are not linear: where the last sweep has led, with the accelerations that led there.

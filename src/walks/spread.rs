@@ -1,5 +1,6 @@
 //! Values from a list, as entries of bodies or of joints.
 
+use crate::loading::Loading;
 use crate::mirror::Rate;
 use crate::shape::{
     AtBody, AtClosing, AtJoint, Body, Closing, Joint, Mut, Outward, PerBody, PerJoint, Shape, Slices, Walk, alike,
@@ -7,9 +8,31 @@ use crate::shape::{
 };
 use crate::space::Space;
 
+/// Whether loads are lists that no motion has to be shown to: bodies that take them in their own axes are told their attitudes.
+pub const fn is_listed<S: Space, E: Shape<S>, L: Loading<S>>() -> bool {
+    !(L::READS || E::OWN_AXES && size_of::<L::OnBody>() > 0)
+}
+
+/// Writes what is made of the lists of loads to the entries of bodies and of joints.
+#[inline(always)]
+pub fn loads<S: Space, E: Shape<S>, L: Loading<S>, X: Copy + 'static, Z: Copy + 'static>(
+    chain: &E,
+    loads: &L,
+    (on_body, in_joint): (impl Fn(L::OnBody) -> X, impl Fn(L::InJoint) -> Z),
+    on_bodies: &mut E::Store<PerBody<X>>,
+    in_joints: &mut E::Store<PerJoint<Z>>,
+) {
+    to_bodies(chain, loads.on_bodies_listed(), on_body, on_bodies);
+    if const { L::BY_COORDINATE } {
+        to_coordinates(chain, loads.in_joints_listed(), in_joint, in_joints);
+    } else {
+        to_joints(chain, loads.in_joints_listed(), in_joint, in_joints);
+    }
+}
+
 /// Writes what `of` makes of values, one for each body, root to tip, to the entries of bodies.
 #[inline(always)]
-pub fn to_bodies<S: Space, E: Shape<S>, X: Copy, Z: Copy + 'static>(
+fn to_bodies<S: Space, E: Shape<S>, X: Copy, Z: Copy + 'static>(
     chain: &E,
     values: &[X],
     of: impl Fn(X) -> Z,

@@ -3,8 +3,8 @@
 use super::sensitivities::{FIXED, Parts, ROUNDING, alike, as_dual_numbers, parts};
 use catena::Error;
 use catena::robot::*;
-use catena::scalar::Jet;
-use catena::spatial::{self, BodyMotion, Pinned, Revolute, RigidBody, Rod, Wrench};
+use catena::scalar::{Jet, Scalar};
+use catena::spatial::{self, BodyMotion, GroundMotion, Moving, Pinned, Revolute, RigidBody, Rod, Wrench};
 use num_dual::DualSVec64;
 
 /// A turn by angles.
@@ -58,7 +58,7 @@ fn hinges_and_slides_have_the_derivatives_of_dual_numbers() -> Result<(), Error>
 
 #[test]
 fn robots_on_bodies_and_on_bases_that_move_have_the_derivatives_of_dual_numbers() -> Result<(), Error> {
-    as_dual_numbers!("on a body", 30 seeds, Dop853::tolerance(1e-9), 0.4, |x| {
+    as_dual_numbers!("on a body", 31 seeds, Dop853::tolerance(1e-9), 0.4, |x| {
         let o = x(0.0, FIXED);
         let tensor = [[x(0.3, 14), o, o], [o, x(0.25, FIXED), o], [o, o, x(0.2, FIXED)]];
         let body = RigidBody::new(x(1.3, 15), tensor, [x(0.4, 16), x(0.1, FIXED), o], [x(0.9, 17), x(-0.2, FIXED), o]);
@@ -68,7 +68,13 @@ fn robots_on_bodies_and_on_bases_that_move_have_the_derivatives_of_dual_numbers(
         let lean = turn([x(0.4, FIXED), o, o]).known::<ABOUT_X>();
         let robot = (BodyAxes, Hinge::level().turned(lean), link(&x, 0), elbow, link(&x, 7), Branch((elbow, link(&x, FIXED - 10))));
         let joint = Revolute::about([x(0.1, 20), x(1.0, FIXED), x(0.3, FIXED)]);
-        let system = System::new(Pinned::at([o, o, o]), (rod, joint, body, robot), Free)?.with_gravity([o, o, -x(9.81, 21)]);
+        let shaken = x(0.1, 30);
+        let ground = Moving(move |t: f64| GroundMotion {
+            place: [shaken * N::literal((3.0 * t).sin()), o, o],
+            velocity: [shaken * N::literal(3.0 * (3.0 * t).cos()), o, o],
+            acceleration: [shaken * N::literal(-9.0 * (3.0 * t).sin()), o, o],
+        });
+        let system = System::new(Pinned::on(ground), (rod, joint, body, robot), Free)?.with_gravity([o, o, -x(9.81, 21)]);
         let numbers: [_; 7] = core::array::from_fn(|i| x(number(i), if i < 2 { 22 + i } else { FIXED }));
         let mut motion = system.at_rest(&numbers)?;
         let count = motion.rates().len();

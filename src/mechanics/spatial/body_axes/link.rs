@@ -121,7 +121,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
 
     /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin, by products of ω.
     #[cfg_attr(optimised, inline(always))]
-    pub(super) fn stirred(&self, products: [T; 6]) -> [[T; 3]; 2] {
+    fn stirred(&self, products: [T; 6]) -> [[T; 3]; 2] {
         let [xx, yy, zz, yz, xz, xy] = products;
         let (yz, xz, xy) = (Number::of(yz), Number::of(xz), Number::of(xy));
         let o = [Number::zero(); 3];
@@ -134,6 +134,13 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
             around(jyy.minus(jxx), xy, jxy, xx - yy, [jyz, xz], [jxz, yz]),
         ];
         [values(force), values(torque)]
+    }
+
+    /// That, with what is known of it.
+    #[inline(always)]
+    pub(super) fn known_stirred(&self, products: [T; 6]) -> [Triple<T>; 2] {
+        let [force, torque] = self.stirred(products);
+        [if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(force) }, triple(torque)]
     }
 
     #[inline(always)]
@@ -184,8 +191,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT,
     }
     #[inline(always)]
     fn gyroscopic(&self, spin: [T; 3]) -> [Triple<T>; 2] {
-        let [force, torque] = self.stirred(products(spin));
-        [if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(force) }, triple(torque)]
+        self.known_stirred(products(spin))
     }
     #[cfg_attr(optimised, inline(always))]
     fn resisted(&self, [a, angular]: [Triple<T>; 2], [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {

@@ -2,7 +2,7 @@
 
 mod axial;
 mod bodies;
-pub(in crate::mechanics::spatial) mod columns;
+pub(super) mod columns;
 mod floating;
 mod joints;
 mod prismatic;
@@ -19,34 +19,34 @@ use nalgebra::Vector3;
 #[derive(Clone, Copy, Debug)]
 pub struct Passing<T, const K: usize> {
     /// Orientation of the body on the inboard side.
-    pub(in crate::mechanics::spatial) turn: Turn<T>,
+    pub(super) turn: Turn<T>,
     /// Acceleration of the station, in a frame that falls freely, and of that body.
-    pub(in crate::mechanics::spatial) acceleration: Acceleration<T>,
+    pub(super) acceleration: Acceleration<T>,
     /// Columns of φ.
-    pub(in crate::mechanics::spatial) angle: Vectors<T, K>,
+    pub(super) angle: Vectors<T, K>,
     /// Columns of ω.
-    pub(in crate::mechanics::spatial) spin: Vectors<T, K>,
+    pub(super) spin: Vectors<T, K>,
     /// Columns of the accelerations.
-    pub(in crate::mechanics::spatial) linear: Vectors<T, K>,
-    pub(in crate::mechanics::spatial) angular: Vectors<T, K>,
+    pub(super) linear: Vectors<T, K>,
+    pub(super) angular: Vectors<T, K>,
 }
 
 /// A force on its way inward.
 #[derive(Clone, Copy, Debug)]
 pub struct Pulling<T, const K: usize> {
     /// Force (N) and torque (N·m) on the outboard part.
-    pub(in crate::mechanics::spatial) force: Vector3<T>,
-    pub(in crate::mechanics::spatial) torque: Vector3<T>,
+    pub(super) force: Vector3<T>,
+    pub(super) torque: Vector3<T>,
     /// Columns of the force and of the torque.
-    pub(in crate::mechanics::spatial) forces: Vectors<T, K>,
-    pub(in crate::mechanics::spatial) torques: Vectors<T, K>,
+    pub(super) forces: Vectors<T, K>,
+    pub(super) torques: Vectors<T, K>,
 }
 
 /// Columns of an acceleration on their way outward.
 #[derive(Clone, Copy, Debug)]
 pub struct Answering<T, const K: usize> {
-    pub(in crate::mechanics::spatial) linear: Vectors<T, K>,
-    pub(in crate::mechanics::spatial) angular: Vectors<T, K>,
+    pub(super) linear: Vectors<T, K>,
+    pub(super) angular: Vectors<T, K>,
 }
 
 impl<T: Scalar, const K: usize> Varied for Spatial<Jet<T, K>> {
@@ -107,7 +107,7 @@ impl<T: Scalar, const K: usize> crate::sensitive::Effort<Spatial<Self>> for Jet<
 }
 
 /// Columns of the φ by which axes turn, ½ Σ r × dr over the axes r.
-pub(in crate::mechanics::spatial) fn turned<T: Scalar, const K: usize>(axes: &Columns<Jet<T, K>>) -> Vectors<T, K> {
+pub(super) fn turned<T: Scalar, const K: usize>(axes: &Columns<Jet<T, K>>) -> Vectors<T, K> {
     let mut angle = none();
     for axis in [&axes.x, &axes.y, &axes.z] {
         apply(&mut angle, &crossed(value(axis) * T::literal(0.5)), &parts(axis));

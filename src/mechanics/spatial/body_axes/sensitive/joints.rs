@@ -18,9 +18,10 @@ use super::super::number::{Number, Triple, apply, cross_onto, sum, triple, value
 use super::super::relation::{Gains, Local};
 use super::super::standing::{Stand, Standing};
 use super::super::turns::Offset;
-use super::{about_z, jets, products_varied};
+use super::{jets, products_varied};
 use crate::lift::Lift;
 use crate::mechanics::spatial::loads::Effort;
+use crate::mechanics::spatial::sensitive::columns::parts;
 use crate::mechanics::spatial::sensitive::{Answering, Passing, Pulling};
 use crate::mechanics::spatial::{Acceleration, Spatial};
 use crate::relation::spatial::Full;
@@ -58,8 +59,7 @@ struct Moving<'a, T, J> {
 /// v + z × w f.
 #[inline(always)]
 fn swept<T: Scalar>([x, y, z]: [T; 3], w: [T; 3], f: T) -> [T; 3] {
-    let [a, b] = about_z(w);
-    [a.mul_add(f, x), b.mul_add(f, y), z]
+    [(-w[1]).mul_add(f, x), w[0].mul_add(f, y), z]
 }
 
 impl<T: Scalar, J: Standing<T>> Moving<'_, T, J> {
@@ -96,7 +96,7 @@ impl<T: Scalar, J: Standing<T>> Moving<'_, T, J> {
 
 /// A column of force and torque at the parent's origin, from that at the body's, where `forces` are the values.
 #[cfg_attr(optimised, inline(always))]
-fn carried<T: Scalar, J: Standing<T>>(
+fn carried_column<T: Scalar, J: Standing<T>>(
     (joint, stand): (&J, Stand<T>),
     [force, torque]: [[T; 3]; 2],
     forces: [[T; 3]; 2],
@@ -117,11 +117,6 @@ fn stand_of<T: Scalar, M: Mode, const K: usize>([sine, cosine]: Stand<T>, positi
     }
     let of = |re: T, slope: T| Jet { re, eps: position.eps.map(|x| x * slope) };
     [of(sine, cosine), of(cosine, -sine)]
-}
-
-/// Parts of a vector of numbers with derivatives.
-fn split<T: Scalar, const K: usize>(v: [Jet<T, K>; 3]) -> (Vector3<T>, [[T; K]; 3]) {
-    (Vector3::from(v.map(|x| x.re)), v.map(|x| x.eps))
 }
 
 impl<T, M, C, D, const PLACE: u8, L, P, A, Q, B, const K: usize> Sensitive<Spatial<Jet<T, K>>>
@@ -195,8 +190,8 @@ where
             let bias = triple(self.bias(stand, *at.rate, spin));
             let p = [triple(jets(linear, &carried.linear)), triple(jets(angular, &carried.angular))];
             let p = self.accelerated(stand, [self.swung(inboard), bias], p);
-            carried.spin = split(spin).1;
-            [carried.linear, carried.angular] = p.map(|v| split(values(v)).1);
+            carried.spin = parts(&Vector3::from(spin));
+            [carried.linear, carried.angular] = p.map(|v| parts(&Vector3::from(values(v))));
         } else {
             let moving = Moving {
                 joint,
@@ -253,7 +248,7 @@ where
             let force = [linear[0].mul_add(left, fx[k]), linear[1].mul_add(left, fy[k]), linear[2].mul_add(left, fz[k])],
             let torque =
                 [angular[0].mul_add(left, tx[k]), angular[1].mul_add(left, ty[k]), angular[2].mul_add(left, tz[k])],
-            let new = if seeded { [force, torque] } else { self::carried((joint, stand), [force, torque], forces, q[k]) },
+            let new = if seeded { [force, torque] } else { carried_column((joint, stand), [force, torque], forces, q[k]) },
             mut free = acceleration.eps => left * inverse,
             mut fx = *fx => new[0][0],
             mut fy = *fy => new[0][1],
@@ -266,7 +261,7 @@ where
             let [force, torque] = forces.map(Vector3::from);
             let pair = [triple(jets(force, &carried.forces)), triple(jets(torque, &carried.torques))];
             let pair = self.carried(stand_of::<T, M, K>(stand, at.position), pair);
-            [carried.forces, carried.torques] = pair.map(|v| split(values(v)).1);
+            [carried.forces, carried.torques] = pair.map(|v| parts(&Vector3::from(values(v))));
         }
     }
     #[inline(never)]

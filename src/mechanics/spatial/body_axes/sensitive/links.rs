@@ -9,11 +9,11 @@
 //! where both brackets are linear in the products of ω.
 
 use super::super::link::{Link, products};
-use super::super::number::{Number, triple, values};
+use super::super::number::{triple, values};
 use super::super::relation::Local;
 use super::super::through::Solid;
 use super::{jets, products_varied};
-use crate::mechanics::spatial::sensitive::columns::{Vectors, none, value};
+use crate::mechanics::spatial::sensitive::columns::{Vectors, add, none, parts, value};
 use crate::mechanics::spatial::sensitive::{Answering, Passing, Pulling};
 use crate::mechanics::spatial::{Acceleration, Spatial, Wrench};
 use crate::relation::spatial::Full;
@@ -40,9 +40,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     /// Force and torque at the origin for accelerations there and for products of ω.
     #[inline(always)]
     fn forces(&self, p: [[T; 3]; 2], products: [T; 6]) -> [[T; 3]; 2] {
-        let [force, torque] = self.stirred(products);
-        let force = if const { MOMENT & 7 == 0 } { [Number::zero(); 3] } else { triple(force) };
-        self.resisted(p.map(triple), [force, triple(torque)]).map(values)
+        self.resisted(p.map(triple), self.known_stirred(products)).map(values)
     }
 }
 
@@ -109,20 +107,13 @@ impl<T: Scalar, const K: usize, const MOMENT: u8, const TENSOR: u8> Sensitive<Sp
         let [force, torque] = link.forces([linear.into(), angular.into()], products(spin));
         carried.force += Vector3::from(force);
         carried.torque += Vector3::from(torque);
-        let ([fx, fy, fz], [tx, ty, tz]) = (&mut carried.forces, &mut carried.torques);
         if N::PARAMETERS && store.seeded {
             let p = [jets(linear, &store.linear), jets(angular, &store.angular)];
             let [force, torque] = self.forces(p, products(jets(Vector3::from(spin), &store.spins)));
-            let [[f, g, h], [t, u, v]] = [force, torque].map(|v| v.map(|x| x.eps));
-            columns!(K; f = f, g = g, h = h, t = t, u = u, v = v; k:
-                mut fx = *fx => fx[k] + f[k],
-                mut fy = *fy => fy[k] + g[k],
-                mut fz = *fz => fz[k] + h[k],
-                mut tx = *tx => tx[k] + t[k],
-                mut ty = *ty => ty[k] + u[k],
-                mut tz = *tz => tz[k] + v[k]
-            );
+            add(&mut carried.forces, &parts(&Vector3::from(force)));
+            add(&mut carried.torques, &parts(&Vector3::from(torque)));
         } else {
+            let ([fx, fy, fz], [tx, ty, tz]) = (&mut carried.forces, &mut carried.torques);
             let ([wx, wy, wz], [ax, ay, az], [bx, by, bz]) = (&store.spins, &store.linear, &store.angular);
             columns!(K; wx = *wx, wy = *wy, wz = *wz, ax = *ax, ay = *ay, az = *az, bx = *bx, by = *by, bz = *bz; k:
                 let p = [[ax[k], ay[k], az[k]], [bx[k], by[k], bz[k]]],

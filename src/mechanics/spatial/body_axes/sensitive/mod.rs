@@ -23,12 +23,6 @@ fn products_varied<T: Scalar>([x, y, z]: [T; 3], [dx, dy, dz]: [T; 3]) -> [T; 6]
     [twice(x, dx), twice(y, dy), twice(z, dz), both(y, dz, z, dy), both(x, dz, z, dx), both(x, dy, y, dx)]
 }
 
-/// z × v, for the z axis.
-#[inline(always)]
-fn about_z<T: Scalar>([x, y, _]: [T; 3]) -> [T; 2] {
-    [-y, x]
-}
-
 /// A vector and its columns, as numbers with derivatives.
 fn jets<T: Scalar, const K: usize>(v: Vector3<T>, columns: &[[T; K]; 3]) -> [Jet<T, K>; 3] {
     let [x, y, z] = *columns;
