@@ -127,7 +127,10 @@ pub fn arm_outward<S: Space, W: Outward<S>, E: Aside<S>>(
     stores: Of<'_, S, W, E>,
 ) -> W::Carried {
     let stores = W::Stores::arm::<E>(stores);
-    walk.enter::<Arm, _>(|walk| arm.outward(walk, carried, stores));
+    walk.enter::<Arm, _>(
+        #[cfg_attr(optimised, inline(always))]
+        |walk| arm.outward(walk, carried, stores),
+    );
     carried
 }
 

@@ -6,7 +6,7 @@ use crate::space::Space;
 use num_traits::Zero;
 
 /// As many angles as are worked on together.
-const ROOM: usize = 64;
+const MOST: usize = 64;
 
 /// Stores sine and cosine of each angle that a joint asks for ([`Joint::SINES`]): where the type of the chain says how many there are, in
 /// one loop, which vectorises.
@@ -15,10 +15,24 @@ pub fn sines<S: Space, E: Shape<S>>(chain: &E, positions: &E::Store<Positions>, 
     if const { E::SINES == 0 } {
         return;
     }
-    if const { E::SINES > ROOM } {
+    if const { E::SINES > MOST } {
         chain.outward(&mut Each, (), (positions, x));
-        return;
+    } else if const { E::SINES > MOST / 2 } {
+        together::<S, E, MOST>(chain, positions, x);
+    } else if const { E::SINES > MOST / 4 } {
+        together::<S, E, { MOST / 2 }>(chain, positions, x);
+    } else {
+        together::<S, E, { MOST / 4 }>(chain, positions, x);
     }
+}
+
+/// Stores sines and cosines by way of lists that have room for all: to clear more takes time.
+#[cfg_attr(optimised, inline(always))]
+fn together<S: Space, E: Shape<S>, const ROOM: usize>(
+    chain: &E,
+    positions: &E::Store<Positions>,
+    x: &mut E::Store<PerAxes<S::X>>,
+) {
     let mut list = [[S::Scalar::zero(); ROOM]; 2];
     chain.outward(&mut Gather { angles: &mut list[0], next: 0 }, (), (positions,));
     // This constant is evaluated for every chain, those included whose type does not say how many there are.
@@ -53,17 +67,17 @@ impl<S: Space> Outward<S> for Each {
 }
 
 /// Lists angles.
-struct Gather<'l, T> {
+struct Gather<'l, T, const ROOM: usize> {
     angles: &'l mut [T; ROOM],
     next: usize,
 }
 
-impl<S: Space> Walk<S> for Gather<'_, S::Scalar> {
+impl<S: Space, const ROOM: usize> Walk<S> for Gather<'_, S::Scalar, ROOM> {
     type Carried = ();
     type Stores = (Ref<Positions>,);
 }
 
-impl<S: Space> Outward<S> for Gather<'_, S::Scalar> {
+impl<S: Space, const ROOM: usize> Outward<S> for Gather<'_, S::Scalar, ROOM> {
     alike!();
 
     #[inline(always)]
@@ -80,17 +94,17 @@ impl<S: Space> Outward<S> for Gather<'_, S::Scalar> {
 }
 
 /// Hands sines and cosines to joints.
-struct Spread<'l, T> {
+struct Spread<'l, T, const ROOM: usize> {
     list: &'l [[T; ROOM]; 2],
     next: usize,
 }
 
-impl<S: Space> Walk<S> for Spread<'_, S::Scalar> {
+impl<S: Space, const ROOM: usize> Walk<S> for Spread<'_, S::Scalar, ROOM> {
     type Carried = ();
     type Stores = (Mut<PerAxes<S::X>>,);
 }
 
-impl<S: Space> Outward<S> for Spread<'_, S::Scalar> {
+impl<S: Space, const ROOM: usize> Outward<S> for Spread<'_, S::Scalar, ROOM> {
     alike!();
 
     #[inline(always)]
