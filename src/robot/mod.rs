@@ -97,7 +97,7 @@
 mod functions;
 
 pub use crate::mechanics::spatial::body_axes::{
-    AboutZ, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Flange, Hinge, Leaning, Level, Link, Offset,
+    AboutZ, Ahead, AlongZ, Armature, Axis, Base, Bearing, Block, BodyAxes, Flange, Hinge, Leaning, Level, Link, Offset,
     OnBody, OnGround, Place, Quarter, Rotor, Sharing, Slide, Torques, Turned, Upright, Yielding,
 };
 pub use crate::spatial::*;

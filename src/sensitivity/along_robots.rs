@@ -33,8 +33,9 @@ where
     B: Bearing,
 {
     fn add_to(&self, walk: &mut Along<T, K>, by: &OfJoint<T>) {
-        let (axes, place, inertia, law) = joints::parts(self);
+        let (axes, ahead, place, inertia, law) = joints::parts(self);
         walk.add_vector(by.turn, turn(&axes));
+        walk.add(by.turn.z, ahead);
         walk.add_vector(by.place, place);
         walk.add(by.more[0], inertia);
         walk.add_joint(law, &by.law);

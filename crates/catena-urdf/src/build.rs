@@ -5,7 +5,7 @@ use crate::frames::Frames;
 use crate::note::Notes;
 use crate::options::{Elements, Options};
 use crate::robot::Robot;
-use crate::{dynamics, emit, frames, lump, read};
+use crate::{dynamics, emit, frames, lump, read, zeros};
 use std::fmt::Display;
 use std::path::Path;
 
@@ -23,6 +23,7 @@ impl Options {
             frames::choose(&mut robot, self.frames);
         } else {
             frames::choose(&mut robot, Frames::AlongHinges);
+            zeros::show(&mut robot);
             frames::lay_along_z(&mut robot);
         }
         dynamics::check_inertia(&robot)?;

@@ -44,7 +44,7 @@
 //! # Conventions
 //!
 //! SI units. Coordinates of joints are zero where the description says so and grow as it says, whatever the axes of bodies. The origin
-//! of a body is at its joint. A floating base comes first, with velocity in axes of the ground and angular velocity in its own.
+//! of a body is at its joint, in [`Elements::Local`] anywhere on its axis: [`Frame`]s say where links stand. A floating base comes first, with velocity in axes of the ground and angular velocity in its own.
 
 mod algebra;
 mod build;
@@ -61,6 +61,7 @@ mod options;
 mod read;
 mod robot;
 mod tree;
+mod zeros;
 
 pub use dynamics::{State, solve};
 pub use emit::module;

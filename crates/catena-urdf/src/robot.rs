@@ -1,6 +1,6 @@
 //! A robot as a scene needs it: moving bodies, fixed links lumped into them, frames by name.
 
-use crate::algebra::{Matrix, Vector, apply, times, transpose};
+use crate::algebra::{Matrix, Vector, ZERO, add, apply, subtract, times, transpose};
 use crate::inertia::Inertia;
 use crate::laws::Laws;
 use crate::model::{Furniture, Pose};
@@ -36,7 +36,7 @@ pub struct Body {
     pub parent: Option<usize>,
     /// Where the body stands on its parent while the joint is at zero.
     pub pose: Pose,
-    /// Inertia of the body about the mass centre, in its own axes, whose origin is at the joint.
+    /// Inertia of the body about the mass centre, in its own axes, whose origin is on the joint's axis.
     pub inertia: Inertia,
     /// Limits, damping, friction, reduction, mimic.
     pub furniture: Furniture,
@@ -103,6 +103,31 @@ impl Robot {
     /// Whether zeros of the robot are to be no types.
     pub(crate) fn is_general(&self) -> bool {
         self.elements == Elements::LocalGeneral
+    }
+
+    /// Moves the origins of bodies: body i by `shifts[i]`, in its axes. What is left of a place is nothing where it is rounding.
+    pub(crate) fn shift(&mut self, shifts: &[Vector]) {
+        let left = |x: Vector, terms: [Vector; 2]| {
+            let size = terms.iter().chain([&x]).flatten().fold(0.0_f64, |most, x| most.max(x.abs()));
+            let sum = subtract(add(x, terms[0]), terms[1]);
+            sum.map(|x| if x.abs() <= 4.0 * f64::EPSILON * size { 0.0 } else { x })
+        };
+        for (number, body) in self.bodies.iter_mut().enumerate() {
+            let (own, parents) = (shifts[number], body.parent.map_or(ZERO, |parent| shifts[parent]));
+            if own != ZERO || parents != ZERO {
+                body.pose.place = left(body.pose.place, [apply(&body.pose.turn, own), parents]);
+            }
+            if own != ZERO && body.inertia.mass != 0.0 {
+                body.inertia.centre = left(body.inertia.centre, [ZERO, own]);
+            }
+        }
+        for frame in &mut self.frames {
+            if let Carrier::Body(body) = frame.carrier
+                && shifts[body] != ZERO
+            {
+                frame.pose.place = left(frame.pose.place, [ZERO, shifts[body]]);
+            }
+        }
     }
 
     /// Puts all axes of bodies elsewhere: column k of `turns[i]` is the k-th new axis of body i, in its old axes.

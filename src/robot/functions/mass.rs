@@ -18,8 +18,12 @@ use nalgebra::Vector3;
 
 /// The walk that finds the mass matrix of the joints, what they take of the base, and all of the robot as one body, in axes of the base.
 #[inline(always)]
-fn composite<'m, T: Scalar, const N: usize>(q: &[T; N], matrix: &'m mut [[T; N]; N]) -> Composite<'m, T, N> {
-    Composite { positions: *q, sines: stands(q), columns: [[[T::zero(); 3]; 2]; N], matrix, next: N }
+fn composite<'m, T: Scalar, const N: usize, C: Tasks<T, N>>(
+    chain: &C,
+    q: &[T; N],
+    matrix: &'m mut [[T; N]; N],
+) -> Composite<'m, T, N> {
+    Composite { positions: *q, sines: stands(chain, q), columns: [[[T::zero(); 3]; 2]; N], matrix, next: N }
 }
 
 impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C, P> {
@@ -61,7 +65,12 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         self.has_joints(N)?;
         finite(q)?;
         found.as_flattened_mut().fill(T::zero()); // joints of which neither carries the other
-        Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut composite(q, found), Whole::nothing(N), ());
+        Takes::<S<T>, Composite<T, N>>::take(
+            self.chain(),
+            &mut composite(self.chain(), q, found),
+            Whole::nothing(N),
+            (),
+        );
         Ok(())
     }
 
@@ -170,7 +179,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
         checked(&base).and(finite(q))?;
         let attitude = &base.attitude;
         found.joints.as_flattened_mut().fill(T::zero()); // joints of which neither carries the other
-        let mut walk = composite(q, &mut found.joints);
+        let mut walk = composite(self.chain(), q, &mut found.joints);
         let whole = Takes::<S<T>, Composite<T, N>>::take(self.chain(), &mut walk, Whole::nothing(N), ());
         let Whole { mass, moment, tensor: [xx, yy, zz, yz, xz, xy], .. } = whole;
         for (coupling, [force, torque]) in found.coupling.iter_mut().zip(walk.columns) {

@@ -20,6 +20,7 @@ use crate::element::{Carrying, Condense, Element, Explicit, Given, Posture, Read
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, counted};
 use crate::mechanics::spatial::axial::orthonormal;
+use crate::mechanics::spatial::body_axes::angles::Angles;
 use crate::mechanics::spatial::body_axes::composite::Composite;
 use crate::mechanics::spatial::body_axes::factor::{Factor, Inward, Outward};
 use crate::mechanics::spatial::body_axes::inverse::{Carrying as Load, Loaded, Resisting, Slopes};
@@ -72,6 +73,7 @@ pub trait Tasks<T: Scalar, const N: usize>:
     + Takes<S<T>, Loaded<T, N, true, false>>
     + Takes<S<T>, Loaded<T, N, false, false>>
     + Takes<S<T>, Load<T, N>>
+    + Takes<S<T>, Angles<T, N>>
     + Takes<S<T>, Resisting<T, N>>
     + Takes<S<T>, Slopes<T, N>>
     + for<'m> Takes<S<T>, Composite<'m, T, N>>
@@ -93,6 +95,7 @@ impl<T: Scalar, const N: usize, C> Tasks<T, N> for C where
         + Takes<S<T>, Loaded<T, N, true, false>>
         + Takes<S<T>, Loaded<T, N, false, false>>
         + Takes<S<T>, Load<T, N>>
+        + Takes<S<T>, Angles<T, N>>
         + Takes<S<T>, Resisting<T, N>>
         + Takes<S<T>, Slopes<T, N>>
         + for<'m> Takes<S<T>, Composite<'m, T, N>>
@@ -121,10 +124,12 @@ impl<T: Scalar, G, A> FixedBase<T> for Clamped<G, A> where Self: Root<S<T>> {}
 
 /// Sines and cosines of all positions, in one loop.
 #[cfg_attr(optimised, inline(always))]
-fn stands<T: Scalar, const N: usize>(q: &[T; N]) -> [Stand<T>; N] {
+fn stands<T: Scalar, const N: usize, C: Tasks<T, N>>(chain: &C, q: &[T; N]) -> [Stand<T>; N] {
+    let mut angles = Angles { list: *q, next: 0 };
+    Takes::<S<T>, Angles<T, N>>::take(chain, &mut angles, (), ());
     let mut list = [[T::zero(); 2]; N];
-    for (stand, position) in list.iter_mut().zip(q) {
-        let (sine, cosine) = position.sin_cos();
+    for (stand, angle) in list.iter_mut().zip(&angles.list) {
+        let (sine, cosine) = angle.sin_cos();
         *stand = [sine, cosine];
     }
     list
@@ -134,8 +139,15 @@ fn stands<T: Scalar, const N: usize>(q: &[T; N]) -> [Stand<T>; N] {
 #[cfg_attr(optimised, inline(always))]
 fn resisting<T: Scalar, const N: usize, C: Tasks<T, N>>(chain: &C, q: &[T; N], v: &[T; N]) -> Resisting<T, N> {
     let none = [T::zero(); N];
-    let mut walk =
-        Resisting { positions: *q, rates: *v, stands: stands(q), laws: none, inertias: none, energies: none, next: 0 };
+    let mut walk = Resisting {
+        positions: *q,
+        rates: *v,
+        stands: stands(chain, q),
+        laws: none,
+        inertias: none,
+        energies: none,
+        next: 0,
+    };
     Takes::<S<T>, Resisting<T, N>>::take(chain, &mut walk, (), ());
     walk
 }

@@ -70,11 +70,12 @@ pub fn imports(robot: &Robot, plan: &Plan) -> String {
 fn local_imports(robot: &Robot, plan: &Plan) -> String {
     let parts = || plan.arms.iter().flat_map(|arm| &arm.parts);
     let slides = |slides: bool| robot.bodies.iter().any(|body| body.slides == slides);
-    let [any, quarter, level] = structure::kinds(robot, robot.is_general());
+    let [any, quarter, level, ahead] = structure::kinds(robot, robot.is_general());
     let law = |name: &str| laws::uses(robot, name);
     let wraps = |name: &str| laws::wraps(robot, name);
     let used = [
         ("Absent", robot.base.is_none() || law("Spring")),
+        ("Ahead", ahead),
         ("Base", robot.base.is_none()),
         ("BodyAxes", robot.base.is_some()),
         ("BoundedCoulomb", wraps("BoundedCoulomb")),
@@ -237,7 +238,6 @@ pub fn constructors(robot: &Robot, plan: &Plan) -> String {
                     let body = &robot.bodies[*joint];
                     let structure::Joint { mask, place, turned, .. } = structure::joint(body, robot.is_general());
                     let kind = if body.slides { "Slide" } else { "Hinge" };
-                    let turned = turned.map_or(String::new(), |turned| format!(".turned({turned})"));
                     let ground = if is_grounded(robot, body) { ".grounded()" } else { "" };
                     let made = format!("{kind}::at::<0b{mask:03b}>({}){turned}", vector(place));
                     format!("{}, // {}", laws::joint(robot, body, &made, ground), comment(&body.joint))

@@ -45,7 +45,7 @@ pub fn module(robot: &Robot, name: &str) -> String {
              /// turn that stands before the joint. SI units.\n"
         }
         Elements::Local | Elements::LocalGeneral => {
-            "///\n/// The origin of a body is at its joint, and its z axis is that of the joint. SI units.\n"
+            "///\n/// The z axis of a body is that of its joint, its origin on it; where links of the description stand is in [`frame`]. SI units.\n"
         }
     };
     whole += "#[allow(dead_code, clippy::approx_constant, clippy::excessive_precision)]\n";

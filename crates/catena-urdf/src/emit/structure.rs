@@ -1,7 +1,7 @@
 //! What of a robot's numbers is zero, and which turns are quarters: the types of its elements in body axes.
 
 use super::{list, number};
-use crate::algebra::{IDENTITY, Matrix, Vector, dot, matrix, vector};
+use crate::algebra::{IDENTITY, Matrix, Vector, cross, dot, matrix, scale, vector};
 use crate::inertia::Inertia;
 use crate::robot::{Body, Robot};
 
@@ -15,8 +15,8 @@ pub struct Joint {
     pub place: Vector,
     /// Type of the turn.
     pub offset: String,
-    /// What makes it, if there is one.
-    pub turned: Option<String>,
+    /// Methods that make it, if there is one.
+    pub turned: String,
 }
 
 /// Numbers of a list that count, and their bits.
@@ -35,19 +35,51 @@ fn direction(column: Vector) -> Option<u8> {
 
 pub fn joint(body: &Body, general: bool) -> Joint {
     let (place, mask) = masked(body.pose.place, general);
-    let turn = body.pose.turn;
+    let (turn, angle) = if general || body.slides { (body.pose.turn, 0.0) } else { ahead(&body.pose.turn) };
     let column = |k: usize| vector(|i| turn[i][k]);
     let quarter = direction(column(0)).zip(direction(column(1))).map(|(x, y)| x + 6 * y);
     let (offset, turned) = match quarter {
-        _ if general => ("Turned<T>".to_owned(), Some(full(&turn))),
-        _ if turn == IDENTITY => ("Level".to_owned(), None),
-        Some(code) => (format!("Quarter<{code}>"), Some(format!("Quarter::<{code}>"))),
+        _ if general => ("Turned<T>".to_owned(), full(&turn)),
+        _ if turn == IDENTITY => ("Level".to_owned(), String::new()),
+        Some(code) => (format!("Quarter<{code}>"), format!("Quarter::<{code}>")),
         None => match known(&turn) {
-            (turn, 0) => ("Turned<T>".to_owned(), Some(full(&turn))),
-            (turn, code) => (format!("Turned<T, {code}>"), Some(format!("{}.known::<{code}>()", full(&turn)))),
+            (turn, 0) => ("Turned<T>".to_owned(), full(&turn)),
+            (turn, code) => (format!("Turned<T, {code}>"), format!("{}.known::<{code}>()", full(&turn))),
         },
     };
-    Joint { mask, place, offset, turned }
+    let turned = if turned.is_empty() { turned } else { format!(".turned({turned})") };
+    match angle {
+        0.0 => Joint { mask, place, offset, turned },
+        _ => Joint {
+            mask,
+            place,
+            offset: format!("Ahead<T, {offset}>"),
+            turned: format!("{turned}.ahead(T::literal({}))", number(angle)),
+        },
+    }
+}
+
+/// The turn of a hinge as one of fewer numbers, and one by an angle (rad) about z after it. The first has one of the parent's axes as its x or y
+/// where the axis of the hinge is in a plane of the two others.
+fn ahead(turn: &Matrix) -> (Matrix, f64) {
+    let column = |k: usize| vector(|i| turn[i][k]);
+    let z = column(2).map(|x| if x.abs() <= ROUNDED { 0.0 } else { x });
+    let z = scale(1.0 / dot(z, z).sqrt(), z);
+    let level = (0..3).filter(|k| z[*k] == 0.0);
+    let units = level.flat_map(|k| [1.0, -1.0].map(|sign| vector(|i| if i == k { sign } else { 0.0 })));
+    let turns = units.flat_map(|unit| {
+        let (as_x, as_y) = ([unit, cross(z, unit), z], [cross(unit, z), unit, z]);
+        [as_x, as_y].map(|columns| matrix(|i, k| columns[k][i]))
+    });
+    let angle = |first: &Matrix| {
+        let [x, y] = [0, 1].map(|k| vector(|i| first[i][k]));
+        dot(column(0), y).atan2(dot(column(0), x))
+    };
+    let least = turns.map(|first| (first, angle(&first))).min_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+    match least {
+        Some((first, angle)) => (first, if angle.abs() > ROUNDED { angle } else { 0.0 }),
+        None => (*turn, 0.0),
+    }
 }
 
 /// A turn without what is rounding of zeros and ones, and what is known of its entries: two bits for each, row by row.
@@ -93,8 +125,8 @@ pub fn link(inertia: &Inertia) -> String {
     )
 }
 
-/// Whether some joint has a turn of any, of a quarter, or none.
-pub fn kinds(robot: &Robot, general: bool) -> [bool; 3] {
-    let is = |name: &str| robot.bodies.iter().any(|body| joint(body, general).offset.starts_with(name));
-    [is("Turned"), is("Quarter"), is("Level")]
+/// Whether some joint has a turn of any, of a quarter, none, and one about its own axis.
+pub fn kinds(robot: &Robot, general: bool) -> [bool; 4] {
+    let is = |name: &str| robot.bodies.iter().any(|body| joint(body, general).offset.contains(name));
+    [is("Turned"), is("Quarter"), is("Level"), is("Ahead")]
 }

@@ -95,8 +95,9 @@ fn arm() {
         ($name:expr, $method:expr, $steps:expr $(, under $law:expr)?) => {
             gradients!(super::robots::efforts, $name, KINDS, numbers(), vec![0.3, -0.4, 0.5, 0.2, -0.6, 0.1], 7, $method, $steps, 0.01, |x| {
                 of!(x, |link, other, at, turned, spring| {
-                    let branch = (Hinge::at::<0b101>(at[2]).turned(turned.1).geared(x(34)), other.1, Slide::at::<7>(at[0]).with(spring), link);
-                    let elbow = Hinge::at::<7>(at[0]).turned(turned.0);
+                    let forked = Hinge::at::<0b101>(at[2]).turned(turned.1).ahead(x(9)).geared(x(34));
+                    let branch = (forked, other.1, Slide::at::<7>(at[0]).with(spring), link);
+                    let elbow = Hinge::at::<7>(at[0]).turned(turned.0).ahead(x(8));
                     let (upper, elbow, fore) = Rotor::new(x(33), x(34)).between(link, elbow, other.1).unwrap();
                     let chain = (
                         Hinge::level().with(spring).grounded(),
@@ -106,7 +107,7 @@ fn arm() {
                         Branch(branch),
                         Slide::at::<0b10>(at[1]).turned(Quarter::<30>).with(spring).geared(x(34)),
                         link,
-                        Hinge::at::<7>(at[0]).turned(Quarter::<1>).named("wrist"),
+                        Hinge::at::<7>(at[0]).turned(Quarter::<1>).ahead(x(6)).named("wrist"),
                         other.0,
                     );
                     System::new(Base::at([0.0, 0.1, 0.2].map(N::constant)), chain, Free).unwrap()

@@ -30,15 +30,16 @@ fn number(i: usize) -> f64 {
 
 #[test]
 fn hinges_and_slides_have_the_derivatives_of_dual_numbers() -> Result<(), Error> {
-    as_dual_numbers!("hinges and slides", 46 seeds, Rk4::step(0.01), 0.3, |x| {
+    as_dual_numbers!("hinges and slides", 47 seeds, Rk4::step(0.01), 0.3, |x| {
         let o = x(0.0, FIXED);
         let first = Hinge::level().with(Spring::damping(x(0.3, 14))).geared(x(0.02, 15)).grounded();
-        let second = Hinge::at::<0b011>([x(0.1, 16), x(0.4, 17), o]).turned(Quarter::<30>).with(Spring::stiffness(x(4.0, 18)));
+        let second = Hinge::at::<0b011>([x(0.1, 16), x(0.4, 17), o]).turned(Quarter::<30>);
+        let second = second.ahead(x(-0.3, 46)).with(Spring::stiffness(x(4.0, 18)));
         let slide = Slide::at::<0b111>([x(0.2, 19), x(-0.1, 20), x(0.3, 21)])
             .turned(turn([x(0.3, 22), x(-0.5, 23), x(0.2, 24)]))
             .with(Spring::stiffness(x(80.0, 25)).damped(x(3.0, FIXED)).resting_at(x(0.1, 26)))
             .geared(x(0.4, 27));
-        let leaning = Hinge::at::<0b010>([o, x(0.25, 28), o]).turned(Leaning::by(x(0.7, 29)));
+        let leaning = Hinge::at::<0b010>([o, x(0.25, 28), o]).turned(Leaning::by(x(0.7, 29))).ahead(x(0.4, 46));
         let plain = Slide::level().turned(Quarter::<2>).with(Spring::stiffness(x(50.0, FIXED)));
         let bare = link(&x, FIXED - 10).masked::<7, 63>();
         let thin = Link::<_, 0b100, 0b111>::new(x(0.8, 30), [o, o, x(0.3, 31)], {

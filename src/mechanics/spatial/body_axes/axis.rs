@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::relation::{Borne, Local};
-use super::turns::{Level, Offset};
+use super::turns::{Ahead, Level, Offset};
 use crate::counts::Counted;
 use crate::error::Fault;
 use crate::error::checks::not_negative;
@@ -146,6 +146,25 @@ impl<T: Scalar, M: Mode, C, const PLACE: u8, L, A, B> Axis<T, M, C, PLACE, L, A,
         T: Copy,
     {
         self.place
+    }
+}
+
+impl<T: Scalar, C: Offset<T>, const PLACE: u8, L, A, B> Axis<T, AboutZ, C, PLACE, L, A, B> {
+    /// With the body turned about the hinge's own axis, by an angle (rad) more than its coordinate says: added to the coordinate before sine
+    /// and cosine are taken, it lets axes of bodies be chosen as Denavit and Hartenberg do, who need no turn but by it and one about x.
+    ///
+    /// ```
+    /// use catena::robot::*;
+    /// let link = Link::general(3.0, [0.1, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
+    /// let arm = |hinge| System::new(Clamped::origin(), (BodyAxes, hinge, link), Free);
+    /// let (ahead, plain) = (arm(Hinge::level().ahead(0.3))?, System::new(Clamped::origin(), (BodyAxes, Hinge::level(), link), Free)?);
+    /// let ([a], [b]) = (ahead.gravity_torques(&[0.5])?, plain.gravity_torques(&[0.8])?);
+    /// assert_eq!(a, b);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    pub fn ahead(self, angle: T) -> Axis<T, AboutZ, Ahead<T, C>, PLACE, L, A, B> {
+        let Self { place, offset, law, armature, mode } = self;
+        Axis { place, offset: Ahead::of(offset, angle), law, armature, mode }
     }
 }
 

@@ -65,7 +65,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
 
     #[inline(always)]
     fn angle(&self, position: &T) -> T {
-        *position
+        Standing::angle(self, *position)
     }
     #[inline(always)]
     fn set_sine(&self, x: &mut Columns<T>, [sine, cosine]: [T; 2]) {

@@ -6,6 +6,7 @@
 //! S. McMillan and D. E. Orin, *Efficient computation of articulated-body inertias using successive axial screws*, IEEE Transactions on
 //! Robotics and Automation 11, 1995), with the zeros of a description taken out at compile time.
 
+pub mod angles;
 mod axis;
 mod axis_inner;
 mod axis_joint;
@@ -42,4 +43,4 @@ pub use relation::{Gains, Local};
 pub use rotor::{Rotor, Sharing};
 pub use standing::Stand;
 pub use torques::Torques;
-pub use turns::{Leaning, Level, Offset, Quarter, Turned};
+pub use turns::{Ahead, Leaning, Level, Offset, Quarter, Turned};

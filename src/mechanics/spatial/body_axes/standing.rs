@@ -15,10 +15,14 @@ pub type Stand<T> = [T; 2];
 pub trait Standing<T: Scalar>: Copy {
     /// Whether the coordinate turns.
     const TURNS: bool;
+    /// Whether an angle is added to it.
+    const AHEAD: bool;
     /// Where the joint sits, in axes of the parent.
     fn arm(&self) -> Triple<T>;
-    /// Axes of the body, while the coordinate is zero, in those of the parent.
+    /// Axes of the body, while the coordinate and what is added to it are zero, in those of the parent.
     fn offset(&self) -> Rows<T>;
+    /// What is added to an angle.
+    fn ahead(&self) -> Number<T>;
     /// Reflected inertia.
     fn inertia(&self) -> Number<T>;
     /// What spring and damper exert.
@@ -28,11 +32,17 @@ pub trait Standing<T: Scalar>: Copy {
     /// Energy of the spring.
     fn energy(&self, position: T) -> T;
 
+    /// The angle that a coordinate stands for.
+    #[inline(always)]
+    fn angle(&self, position: T) -> T {
+        self.ahead().plus(Number::of(position)).value()
+    }
+
     /// What the coordinate makes of it.
     #[cfg_attr(optimised, inline(always))]
     fn stand(&self, position: T) -> Stand<T> {
         if const { Self::TURNS } {
-            let (sine, cosine) = position.sin_cos();
+            let (sine, cosine) = self.angle(position).sin_cos();
             [sine, cosine]
         } else {
             [T::zero(), position]
@@ -138,6 +148,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     for Axis<T, M, C, PLACE, L, A, B>
 {
     const TURNS: bool = M::TURNS;
+    const AHEAD: bool = C::AHEAD;
 
     #[inline(always)]
     fn arm(&self) -> Triple<T> {
@@ -146,6 +157,10 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     #[inline(always)]
     fn offset(&self) -> Rows<T> {
         self.offset.rows()
+    }
+    #[inline(always)]
+    fn ahead(&self) -> Number<T> {
+        self.offset.ahead()
     }
     #[inline(always)]
     fn inertia(&self) -> Number<T> {

@@ -15,8 +15,15 @@ use nalgebra::Vector3;
 pub trait Offset<T: Scalar>: Copy + Debug + 'static {
     /// Whether numbers say what it is, and not the type alone.
     const NUMBERED: bool;
-    /// Axes of the body in those of its parent, as columns: the rows of that matrix.
+    /// Whether an angle is added to the coordinate.
+    const AHEAD: bool = false;
+    /// Axes of the body in those of its parent, as columns, but for what is [added](Self::ahead) to the coordinate: the rows of that matrix.
     fn rows(&self) -> Rows<T>;
+    /// An angle (rad) about the joint's own axis, to be added to its coordinate before sine and cosine are taken.
+    #[inline(always)]
+    fn ahead(&self) -> Number<T> {
+        Number::zero()
+    }
     /// Rejects numbers that make no turn.
     ///
     /// # Errors
@@ -51,6 +58,14 @@ pub struct Quarter<const CODE: u8>;
 pub struct Leaning<T> {
     cosine: T,
     sine: T,
+}
+
+/// A turn, and then one about the axis of the hinge itself, which is [added](super::Hinge::ahead) to its coordinate and costs no more.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Ahead<T, C> {
+    turn: C,
+    angle: T,
 }
 
 /// Any turn.
@@ -97,6 +112,13 @@ impl<T: Scalar> Leaning<T> {
     pub fn by(angle: T) -> Self {
         let (sine, cosine) = angle.sin_cos();
         Self { cosine, sine }
+    }
+}
+
+impl<T, C> Ahead<T, C> {
+    /// A turn, and then one by an angle (rad).
+    pub(super) fn of(turn: C, angle: T) -> Self {
+        Self { turn, angle }
     }
 }
 
@@ -224,6 +246,24 @@ impl<T: Scalar, const KNOWN: u32> Offset<T> for Turned<T, KNOWN> {
     }
 }
 
+impl<T: Scalar, C: Offset<T>> Offset<T> for Ahead<T, C> {
+    const NUMBERED: bool = true;
+    const AHEAD: bool = true;
+
+    #[inline(always)]
+    fn rows(&self) -> Rows<T> {
+        self.turn.rows()
+    }
+    #[inline(always)]
+    fn ahead(&self) -> Number<T> {
+        self.turn.ahead().plus(Number::of(self.angle))
+    }
+    fn check(&self) -> Result<(), Fault> {
+        finite("angle that a hinge is ahead by", &[self.angle])?;
+        self.turn.check()
+    }
+}
+
 lift!(Level);
 lift!(Leaning { cosine, sine });
 
@@ -231,6 +271,13 @@ impl<T: Scalar, U: Scalar, const CODE: u8> Lift<T, U> for Quarter<CODE> {
     type Over = Self;
     fn lift(&self, _: &mut impl FnMut(T) -> U) -> Self {
         *self
+    }
+}
+
+impl<T: Scalar, U: Scalar, C: Lift<T, U>> Lift<T, U> for Ahead<T, C> {
+    type Over = Ahead<U, C::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Ahead { turn: self.turn.lift(number), angle: self.angle.lift(number) }
     }
 }
 

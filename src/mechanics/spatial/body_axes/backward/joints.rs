@@ -53,7 +53,7 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: ReversibleLaw<T>, A: 
         Vector3::from(values(self.outward(stand, triple(v.into()))))
     }
 
-    /// A rotation vector of the body's axes in those that they have while the coordinate is zero.
+    /// A rotation vector of the body's axes in those that they have while the angle is zero.
     fn of_offset(&self, [sine, cosine]: Stand<T>, v: Vector3<T>) -> Vector3<T> {
         if const { !M::TURNS } {
             return v;
@@ -221,12 +221,13 @@ takes!([] Strain<T>, |joint, walk, _carried: (), (position, rate, w, sums, of_po
     }
 });
 
-/// What a joint has, as costates know it: its offset's axes, its place, its reflected inertia.
+/// What a joint has, as costates know it: its offset's axes, what is added to its angle, its place, its reflected inertia.
 pub fn parts<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L, A: Armature<T>, B: Bearing>(
     joint: &Axis<T, M, C, PLACE, L, A, B>,
-) -> (Columns<T>, Vector3<T>, T, &L) {
+) -> (Columns<T>, T, Vector3<T>, T, &L) {
     let [x, y, z] = joint.offset.rows().map(values);
     let column = |k: usize| Vector3::new(x[k], y[k], z[k]);
     let axes = Columns { x: column(0), y: column(1), z: column(2) };
-    (axes, Vector3::from(joint.place), joint.armature.number().value(), &joint.law)
+    let ahead = joint.offset.ahead().value();
+    (axes, ahead, Vector3::from(joint.place), joint.armature.number().value(), &joint.law)
 }

@@ -110,12 +110,17 @@ fn carried_column<T: Scalar, J: Standing<T>>(
     joint.carried(stand, column.map(triple)).map(values)
 }
 
-/// A place with derivatives: of a hinge d(sine) = cosine dq, d(cosine) = −sine dq.
-fn stand_of<T: Scalar, M: Mode, const K: usize>([sine, cosine]: Stand<T>, position: &Jet<T, K>) -> Stand<Jet<T, K>> {
-    if !M::TURNS {
+/// A place with derivatives: of a hinge at an angle φ, d(sine) = cosine dφ, d(cosine) = −sine dφ.
+fn stand_of<T: Scalar, J: Standing<Jet<T, K>>, const K: usize>(
+    joint: &J,
+    [sine, cosine]: Stand<T>,
+    position: &Jet<T, K>,
+) -> Stand<Jet<T, K>> {
+    if !J::TURNS {
         return [Jet::of(sine), *position];
     }
-    let of = |re: T, slope: T| Jet { re, eps: position.eps.map(|x| x * slope) };
+    let angle = joint.angle(*position);
+    let of = |re: T, slope: T| Jet { re, eps: angle.eps.map(|x| x * slope) };
     [of(sine, cosine), of(cosine, -sine)]
 }
 
@@ -136,7 +141,7 @@ where
     type Room = AxisStore<T, K>;
 
     fn room(&self) -> Self::Room {
-        let numbers = self.offset().into_iter().chain([self.arm()]).flatten();
+        let numbers = self.offset().into_iter().chain([self.arm()]).flatten().chain([self.ahead()]);
         AxisStore {
             kept: ClosedGains::unmoved(Gains::along(M::TURNS)),
             inverse: T::zero(),
@@ -184,7 +189,7 @@ where
         let inboard: [T; 3] = carried.turn.spin.into();
         let spin = joint.spun(stand, rate, inboard);
         if N::PARAMETERS && store.seeded {
-            let stand = stand_of::<T, M, K>(stand, at.position);
+            let stand = stand_of(self, stand, at.position);
             let inboard = jets(carried.turn.spin, &carried.spin);
             let spin = self.spun(stand, *at.rate, inboard);
             let bias = triple(self.bias(stand, *at.rate, spin));
@@ -260,7 +265,7 @@ where
         if seeded {
             let [force, torque] = forces.map(Vector3::from);
             let pair = [triple(jets(force, &carried.forces)), triple(jets(torque, &carried.torques))];
-            let pair = self.carried(stand_of::<T, M, K>(stand, at.position), pair);
+            let pair = self.carried(stand_of(self, stand, at.position), pair);
             [carried.forces, carried.torques] = pair.map(|v| parts(&Vector3::from(values(v))));
         }
     }
