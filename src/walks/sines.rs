@@ -33,13 +33,13 @@ fn together<S: Space, E: Shape<S>, const ROOM: usize>(
     positions: &E::Store<Positions>,
     x: &mut E::Store<PerAxes<S::X>>,
 ) {
-    let mut list = [[S::Scalar::zero(); ROOM]; 2];
-    chain.outward(&mut Gather { angles: &mut list[0], next: 0 }, (), (positions,));
+    let (mut angles, mut list) = ([S::Scalar::zero(); ROOM], [[S::Scalar::zero(); 2]; ROOM]);
+    chain.outward(&mut Gather { angles: &mut angles, next: 0 }, (), (positions,));
     // This constant is evaluated for every chain, those included whose type does not say how many there are.
     let count = const { if E::SINES > ROOM { 0 } else { E::SINES.next_multiple_of(4) } };
-    let [first, second] = &mut list;
-    for (a, b) in first.iter_mut().zip(second).take(count) {
-        (*a, *b) = a.sin_cos();
+    for (angle, pair) in angles.iter().zip(&mut list).take(count) {
+        let (sine, cosine) = angle.sin_cos();
+        *pair = [sine, cosine];
     }
     chain.outward(&mut Spread { list: &list, next: 0 }, (), (x,));
 }
@@ -95,7 +95,7 @@ impl<S: Space, const ROOM: usize> Outward<S> for Gather<'_, S::Scalar, ROOM> {
 
 /// Hands sines and cosines to joints.
 struct Spread<'l, T, const ROOM: usize> {
-    list: &'l [[T; ROOM]; 2],
+    list: &'l [[T; 2]; ROOM],
     next: usize,
 }
 
@@ -112,9 +112,8 @@ impl<S: Space, const ROOM: usize> Outward<S> for Spread<'_, S::Scalar, ROOM> {
     #[cfg_attr(optimised, inline(always))]
     fn joint<J: Joint<S>>(&mut self, joint: &J, (): (), (x,): AtJoint<'_, S, Self, J>) {
         if const { J::SINES > 0 } {
-            let [sines, cosines] = self.list;
-            if let (Some(sine), Some(cosine)) = (sines.get(self.next), cosines.get(self.next)) {
-                joint.set_sine(x, [*sine, *cosine]);
+            if let Some(pair) = self.list.get(self.next) {
+                joint.set_sine(x, *pair);
             }
             self.next += 1;
         }

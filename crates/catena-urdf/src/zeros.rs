@@ -10,6 +10,8 @@ use crate::robot::{Body, Robot};
 
 /// Passes over all bodies; the moves of one body matter to its neighbours alone.
 const PASSES: usize = 8;
+/// Bodies on a body that it is moved to suit, the first ones: more are on no robot, and would take their square.
+const SUITED: usize = 16;
 /// Below this share of what it is made of, a number is rounding.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
@@ -154,7 +156,7 @@ impl Moves<'_> {
         if !own.slides {
             let mut list = vec![0.0];
             list.extend(onto_axis(axis, own.inertia.centre));
-            for child in &self.children[body] {
+            for child in self.children[body].iter().take(SUITED) {
                 let Body { pose, axis: of_child, .. } = &self.robot.bodies[*child];
                 let reach = add(pose.place, scale(self.moves[*child].shift, apply(&pose.turn, *of_child)));
                 list.extend([apply(&pose.turn, *of_child), reach].into_iter().filter_map(|x| onto_axis(axis, x)));
@@ -166,7 +168,7 @@ impl Moves<'_> {
         let mut list = vec![0.0, dot(axis, own.inertia.centre)];
         let ((place, _), along) = (self.place(body), self.axis(body));
         list.extend((0..3).filter(|k| along[*k].abs() > 0.1).map(|k| now.shift - place[k] / along[k]));
-        for child in &self.children[body] {
+        for child in self.children[body].iter().take(SUITED) {
             let Body { pose, axis: of_child, .. } = &self.robot.bodies[*child];
             let reach = add(pose.place, scale(self.moves[*child].shift, apply(&pose.turn, *of_child)));
             list.push(dot(axis, reach));

@@ -1,6 +1,6 @@
 //! Any text is read or refused, without panic and in bounded time; and what is read does not depend on the choice of axes.
 
-use catena_urdf::{Base, Frames, Options, Robot, State, module};
+use catena_urdf::{Base, Elements, Frames, Options, Robot, State, module};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -52,7 +52,8 @@ fn bounded(cases: u32) -> ProptestConfig {
 /// Reads in every way there is; what is read is written, too, and has no number that is none.
 fn try_all(text: &str) {
     for base in [Base::Written, Base::Fixed, Base::Floating] {
-        for options in [Options::new(), Options::new().snap(1e-3).repair().frames(Frames::Parallel)] {
+        let repaired = Options::new().snap(1e-3).repair();
+        for options in [Options::new(), repaired.clone().frames(Frames::Parallel), repaired.elements(Elements::Local)] {
             match options.base(base).read(text) {
                 Ok(robot) => {
                     let text = module(&robot, "robot");
@@ -143,17 +144,18 @@ proptest! {
     fn dynamics_do_not_depend_on_axes(text in tree(), floats in any::<bool>()) {
         let base = if floats { Base::Floating } else { Base::Fixed };
         let read = |frames| Options::new().base(base).frames(frames).read(&text);
+        let in_body_axes = || Options::new().base(base).elements(Elements::Local).read(&text);
         // Trees of fixed joints alone do not move.
         let Ok(written) = read(Frames::AsWritten) else { return Ok(()) };
         let (mass, forces) = dynamics(&written);
         let size = mass.iter().flatten().chain(&forces).fold(0.0_f64, |most, x| most.max(x.abs()));
-        for frames in [Frames::Parallel, Frames::AlongHinges] {
-            let robot = read(frames).expect("the same robot");
+        for frames in [Some(Frames::Parallel), Some(Frames::AlongHinges), None] {
+            let robot = frames.map_or_else(in_body_axes, read).expect("the same robot");
             let (other, others) = dynamics(&robot);
             for (x, y) in mass.iter().flatten().chain(&forces).zip(other.iter().flatten().chain(&others)) {
                 prop_assert!((x - y).abs() < 1e-12 * size, "{x} {y} {size}");
             }
-            if frames == Frames::AlongHinges {
+            if frames != Some(Frames::Parallel) {
                 prop_assert!(robot.bodies().iter().all(|body| body.axis.iter().filter(|x| **x == 0.0).count() == 2));
             }
         }
@@ -185,4 +187,22 @@ fn deep_and_long_texts_end() {
     assert_eq!(robot.bodies()[0].inertia.mass, 19_994.0);
     let error = Options::new().read(&text.replace("fixed", "continuous")).expect_err("too many joints");
     assert_eq!(error.to_string(), "20000 moving joints are more than 512");
+}
+
+/// As many arms on one body as a robot may have joints: what is done for pairs of them would show.
+#[test]
+fn bodies_that_carry_many_end() {
+    let inertial = "<inertial><origin xyz=\"0.1 0.2 0.3\"/><mass value=\"1\"/><inertia ixx=\"1\" ixy=\"0\" ixz=\"0\" iyy=\"1\" iyz=\"0\" izz=\"1\"/></inertial>";
+    let mut text = format!("<robot><link name=\"l0\"/><link name=\"l1\">{inertial}</link>");
+    for k in 2..=512 {
+        let x = f64::from(k);
+        text += &format!(
+            "<link name=\"l{k}\">{inertial}</link><joint name=\"j{k}\" type=\"continuous\"><origin xyz=\"{x} {} 1\" rpy=\"0.{k} 0 {x}\"/>\
+             <parent link=\"l1\"/><child link=\"l{k}\"/></joint>\n",
+            1.0 / x
+        );
+    }
+    text += "<joint name=\"j1\" type=\"continuous\"><parent link=\"l0\"/><child link=\"l1\"/></joint></robot>";
+    let robot = Options::new().elements(Elements::Local).read(&text).expect("a robot");
+    assert_eq!(robot.bodies().len(), 512);
 }

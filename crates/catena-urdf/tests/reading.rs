@@ -266,6 +266,39 @@ fn modules_have_names_of_rust_and_else_their_own() {
     named("leftArm-2", "left_arm_2");
 }
 
+/// What joints leave open of their bodies' axes leaves but four numbers of six (Denavit and Hartenberg), and where axes meet fewer: of an arm whose
+/// shoulder, elbow and wrist are points three lengths along axes are left, and no turn but those of a cube.
+#[test]
+fn zeros_of_an_arm_show_in_body_axes() {
+    let robot = read(ARM, Options::new().elements(catena_urdf::Elements::Local));
+    let lengths: Vec<_> = robot.bodies().iter().map(|body| body.pose.place).collect();
+    let (o, along) = ([0.0; 3], |z| [0.0, 0.0, z]);
+    assert_eq!(lengths, [along(0.35), o, o, along(0.42), o, along(0.4), o]);
+    let text = module(&robot, "arm");
+    assert!(!text.contains("Turned") && text.matches("Ahead<").count() == 1, "{text}"); // the flange's mass centre is brought into a plane
+}
+
+/// A hinge that leans in a plane of its parent's, and one after it that does not: the parent's axes lean with the first.
+#[test]
+fn turns_about_the_axis_of_a_hinge_become_angles() {
+    let inertial = "<inertial><origin xyz=\"0.1 0.2 0.3\"/><mass value=\"1\"/>\
+        <inertia ixx=\"1\" ixy=\"0.1\" ixz=\"0.2\" iyy=\"1\" iyz=\"0.3\" izz=\"1\"/></inertial>";
+    let joint = |k: usize, axis: &str, rpy: &str| {
+        format!(
+            "<link name=\"l{k}\">{inertial}</link><joint name=\"j{k}\" type=\"continuous\"><origin xyz=\"0 0 0\" rpy=\"{rpy}\"/>\
+             <axis xyz=\"{axis}\"/><parent link=\"l{}\"/><child link=\"l{k}\"/></joint>",
+            k - 1
+        )
+    };
+    let joints = [joint(1, "0 1 0", "0 0 0"), joint(2, "1 0 0", "0 0.3 0"), joint(3, "0 0 1", "0 0 0")].concat();
+    let text = format!("<robot name=\"leaning\"><link name=\"l0\"/>{joints}</robot>");
+    let robot = read(&text, Options::new().elements(catena_urdf::Elements::Local));
+    let text = module(&robot, "leaning");
+    assert!(!text.contains("Turned"), "{text}");
+    let angle = text.split(".ahead(T::literal(").nth(1).and_then(|rest| rest.split(')').next()).expect("an angle");
+    assert!((angle.parse::<f64>().expect("a number") - 0.3).abs() < 1e-15, "{angle}");
+}
+
 /// A library without `std` has no `vec!` in its tests.
 #[test]
 fn tests_of_modules_need_no_allocator() {

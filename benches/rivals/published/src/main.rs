@@ -7,16 +7,15 @@ mod states;
 
 include!(concat!(env!("OUT_DIR"), "/robot.rs"));
 
-#[cfg(not(floats))]
-use catena::robot::Place;
 use catena::robot::{SixRows, Snapshot, Torques};
 use catena::system::{Dynamics, Rate};
 use states::{Noise, Outcome, STATES, State, Work, write};
 use std::hint::black_box;
 
-/// The last joint.
+/// The last joint, and where the description's link stands in axes of its body.
 mod link {
     pub const LAST: usize = super::robot::JOINTS.len() - 1;
+    pub const PLACE: [f64; 3] = super::LAST_LINK;
 }
 
 /// A point of its body (m).
@@ -72,7 +71,7 @@ fn more() -> Outcome {
         write("compliance", scene.operational_compliance(q, link::LAST, POINT)?.as_flattened());
         let by = scene.inverse_dynamics_derivatives(q, v, &state.seconds)?;
         write("inverse_dynamics_derivatives", &[by.positions.as_flattened(), by.rates.as_flattened()].concat());
-        let Place { place, .. } = scene.places(q)?[link::LAST];
+        let place = scene.places(q)?[link::LAST].point(link::PLACE);
         write("place", &[place.x, place.y, place.z]);
     }
     Ok(())
@@ -130,9 +129,9 @@ fn main() -> Outcome {
     }
     let work = Work(words.first().is_some_and(|mode| mode == "time"));
     #[cfg(not(floats))]
-    robot!(work, robot, link::LAST, fixed);
+    robot!(work, robot, (link::LAST, link::PLACE), fixed);
     #[cfg(floats)]
-    robot!(work, robot, link::LAST, floating);
+    robot!(work, robot, (link::LAST, link::PLACE), floating);
     if !work.0 {
         more()?;
     }

@@ -119,45 +119,12 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
         triangle(TENSOR, self.tensor)
     }
 
-    /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin, by products of ω.
+    /// Force ω × (ω × σ) (N) and torque ω × J ω (N·m) about the origin.
     #[cfg_attr(optimised, inline(always))]
-    fn stirred(&self, products: [T; 6]) -> [[T; 3]; 2] {
-        let [xx, yy, zz, yz, xz, xy] = products;
-        let (yz, xz, xy) = (Number::of(yz), Number::of(xz), Number::of(xy));
-        let o = [Number::zero(); 3];
-        let force = apply_onto(&swirl(products), self.first_moment(), o);
-        let [jxx, jyy, jzz, jyz, jxz, jxy] = self.about_origin();
-        // (ω × J ω)_x = (J_zz − J_yy) yz + J_yz (yy − zz) + J_xz xy − J_xy xz, and so on around.
-        let torque = [
-            around(jzz.minus(jyy), yz, jyz, yy - zz, [jxz, xy], [jxy, xz]),
-            around(jxx.minus(jzz), xz, jxz, zz - xx, [jxy, yz], [jyz, xy]),
-            around(jyy.minus(jxx), xy, jxy, xx - yy, [jyz, xz], [jxz, yz]),
-        ];
-        [values(force), values(torque)]
-    }
-
-    /// That, at an angular velocity: where the tensor has more than one product of its own, ω × (J ω) itself takes less.
-    #[cfg_attr(optimised, inline(always))]
-    fn stirred_at(&self, spin: [T; 3]) -> [[T; 3]; 2] {
-        let products = products(spin);
-        if const { (TENSOR >> 3 & 7).count_ones() < 2 } {
-            return self.stirred(products);
-        }
+    fn stirred(&self, spin: [T; 3]) -> [Triple<T>; 2] {
         let (spin, o) = (triple(spin), [Number::zero(); 3]);
-        let force = apply_onto(&swirl(products), self.first_moment(), o);
         let momentum = apply_onto(&rows(&self.about_origin()), spin, o);
-        [values(force), values(cross_onto(spin, momentum, o))]
-    }
-
-    /// Force and torque by products, with what is known of them.
-    #[inline(always)]
-    pub(super) fn known_stirred(&self, products: [T; 6]) -> [Triple<T>; 2] {
-        Self::known_of(self.stirred(products))
-    }
-
-    #[inline(always)]
-    fn known_of([force, torque]: [[T; 3]; 2]) -> [Triple<T>; 2] {
-        [if MOMENT & 7 == 0 { [Number::zero(); 3] } else { triple(force) }, triple(torque)]
+        [centripetal(spin, self.first_moment()), cross_onto(spin, momentum, o)]
     }
 
     #[inline(always)]
@@ -166,31 +133,11 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     }
 }
 
-/// One component of ω × J ω.
+/// ω × (ω × r).
 #[cfg_attr(optimised, inline(always))]
-fn around<T: Scalar>(
-    moments: Number<T>,
-    product: Number<T>,
-    own: Number<T>,
-    squares: T,
-    [plus, with]: [Number<T>; 2],
-    [minus, by]: [Number<T>; 2],
-) -> Number<T> {
-    let sum = own.times_onto(Number::of(squares), moments.times(product));
-    minus.times_off(by, plus.times_onto(with, sum))
-}
-
-/// Products of the components of ω: xx, yy, zz, yz, xz, xy.
-#[inline(always)]
-pub(crate) fn products<T: Scalar>([x, y, z]: [T; 3]) -> [T; 6] {
-    [x * x, y * y, z * z, y * z, x * z, x * y]
-}
-
-/// ω ωᵀ − ω² 1, by products of ω: what takes a place on a body to its centripetal acceleration.
-#[cfg_attr(optimised, inline(always))]
-pub(crate) fn swirl<T: Scalar>([xx, yy, zz, yz, xz, xy]: [T; 6]) -> super::number::Rows<T> {
-    let (yz, xz, xy) = (Number::of(yz), Number::of(xz), Number::of(xy));
-    [[Number::of(-(yy + zz)), xy, xz], [xy, Number::of(-(xx + zz)), yz], [xz, yz, Number::of(-(xx + yy))]]
+pub(super) fn centripetal<T: Scalar>(spin: Triple<T>, r: Triple<T>) -> Triple<T> {
+    let o = [Number::zero(); 3];
+    cross_onto(spin, cross_onto(spin, r, o), o)
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT, TENSOR> {
@@ -208,7 +155,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT,
     }
     #[inline(always)]
     fn gyroscopic(&self, spin: [T; 3]) -> [Triple<T>; 2] {
-        Self::known_of(self.stirred_at(spin))
+        self.stirred(spin)
     }
     #[cfg_attr(optimised, inline(always))]
     fn resisted(&self, [a, angular]: [Triple<T>; 2], [force, torque]: [Triple<T>; 2]) -> [Triple<T>; 2] {
@@ -284,7 +231,7 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Element<Spatial<T>> for Link
         apart::<T, _>(
             #[cfg_attr(optimised, inline(always))]
             || {
-                let [force, torque] = self.stirred_at(turn.spin.into());
+                let [force, torque] = self.stirred(turn.spin.into()).map(values);
                 y[1] = Vector3::from(torque);
                 if const { MOMENT & 7 != 0 } {
                     y[0] = Vector3::from(force);

@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 /// Where a body is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place<T> {
-    /// The body's origin, where its joint is (m).
+    /// The body's origin, on the axis of its joint (m).
     pub place: Vector3<T>,
     /// The body's axes in inertial axes, as columns; the joint's axis is z.
     pub attitude: Columns<T>,
@@ -28,6 +28,21 @@ pub struct Places<T, const N: usize> {
 through!([const N: usize] Places<T, N>, (Place<T>, usize), outward);
 
 impl<T: Scalar> Place<T> {
+    /// Where a point of the body is, which is given in its axes: such as a frame of a description.
+    ///
+    /// ```
+    /// use catena::robot::*;
+    /// let link = Link::general(3.0, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
+    /// let arm = System::new(Base::origin(), (Hinge::level().grounded(), link), Free)?;
+    /// let [forearm] = arm.places(&[core::f64::consts::FRAC_PI_2])?;
+    /// assert!((forearm.point([0.3, 0.0, 0.5]) - [0.0, 0.3, 0.5].into()).norm() < 1e-15);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    #[inline(always)]
+    pub fn point(&self, at: [T; 3]) -> Vector3<T> {
+        self.attitude.apply_onto(Vector3::from(at), self.place)
+    }
+
     /// The body on a joint.
     #[cfg_attr(optimised, inline(always))]
     pub fn beyond<A: Standing<T>>(&self, axis: &A, stand: Stand<T>) -> Self {

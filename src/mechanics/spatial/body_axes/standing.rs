@@ -1,7 +1,7 @@
 //! What a joint makes of vectors of its parent and of its body.
 
 use super::axis::{Armature, Axis, Bearing, Mode};
-use super::link::{products, swirl};
+use super::link::centripetal;
 use super::number::{Number, Rows, Triple, apply, cross_onto, masked, sum, transposed, triple, values};
 use super::turns::Offset;
 use crate::release::slopes;
@@ -83,7 +83,7 @@ pub trait Standing<T: Scalar>: Copy {
     /// What accelerates the joint's place besides the parent's origin, in axes of the parent.
     #[inline(always)]
     fn swung(&self, spin: [T; 3]) -> Triple<T> {
-        apply(&swirl(products(spin)), self.arm())
+        centripetal(triple(spin), self.arm())
     }
 
     /// What accelerates the body besides, in its own axes, at its angular velocity: angular for a hinge (z is zero), linear for a slide.

@@ -22,11 +22,28 @@ fn main() -> Outcome {
     };
     let work = Work(what == "time");
     match robot {
-        "arm7" => robot!(work, arm7_local, arm7_local::joint::TOOL_ROLL, fixed),
-        "cart" => robot!(work, cart_local, cart_local::joint::RIGHT_GRIP, fixed),
-        "quadruped, fixed" => robot!(work, quadruped_fixed, quadruped_fixed::joint::RH_KFE, fixed),
-        "quadruped" => robot!(work, quadruped_local, quadruped_local::joint::RH_KFE, floating),
-        "humanoid" => robot!(work, humanoid_local, humanoid_local::joint::LEFT_GRIP, floating),
+        "arm7" => robot!(work, arm7_local, (arm7_local::joint::TOOL_ROLL, arm7_local::frame::FLANGE.place), fixed),
+        "cart" => {
+            robot!(work, cart_local, (cart_local::joint::RIGHT_GRIP, cart_local::frame::RIGHT_FINGER.place), fixed)
+        }
+        "quadruped, fixed" => robot!(
+            work,
+            quadruped_fixed,
+            (quadruped_fixed::joint::RH_KFE, quadruped_fixed::frame::RH_SHANK.place),
+            fixed
+        ),
+        "quadruped" => robot!(
+            work,
+            quadruped_local,
+            (quadruped_local::joint::RH_KFE, quadruped_local::frame::RH_SHANK.place),
+            floating
+        ),
+        "humanoid" => robot!(
+            work,
+            humanoid_local,
+            (humanoid_local::joint::LEFT_GRIP, humanoid_local::frame::LEFT_FINGER.place),
+            floating
+        ),
         _ => return Err(robot.into()),
     }
     Ok(())

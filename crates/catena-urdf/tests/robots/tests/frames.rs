@@ -2,7 +2,7 @@
 
 use catena::system::Position;
 use catena_urdf::{Carrier, Frames, Options, Robot};
-use catena_urdf_robots::{arm7, humanoid, quadruped};
+use catena_urdf_robots::{arm7, arm7_local, humanoid, humanoid_local, quadruped, quadruped_local};
 use std::error::Error;
 
 type Vector = [f64; 3];
@@ -53,10 +53,10 @@ fn expected(robot: &Robot, link: &str) -> Option<(Vector, Matrix)> {
 }
 
 macro_rules! stand {
-    ($($test:ident: $name:ident, $options:expr, $skip:literal, $($frame:ident),*;)*) => {$(
+    ($($test:ident: $file:literal $name:ident, $options:expr, $skip:literal, $($frame:ident),*;)*) => {$(
         #[test]
         fn $test() -> Result<(), Box<dyn Error>> {
-            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/", stringify!($name), ".urdf");
+            let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../robots/", $file, ".urdf");
             let robot = $options.frames(Frames::AsWritten).read(&std::fs::read_to_string(path)?)?;
             let scene = $name::scene::<f64>()?;
             let mut motion = scene.motion();
@@ -85,8 +85,12 @@ macro_rules! stand {
 }
 
 stand! {
-    tools_stand_on_their_arm: arm7, Options::new(), 0, FOREARM_HIGH, CAMERA, TOOL_TIP;
-    feet_stand_on_their_legs: quadruped, Options::new().snap(1e-4), 7, IMU, LF_FOOT, RH_FOOT;
+    tools_stand_on_their_arm: "arm7" arm7, Options::new(), 0, FOREARM_HIGH, CAMERA, TOOL_TIP;
+    tools_stand_on_their_arm_in_body_axes: "arm7" arm7_local, Options::new(), 0, SHOULDER, FOREARM_HIGH, CAMERA, TOOL_TIP;
+    feet_stand_on_their_legs: "quadruped" quadruped, Options::new().snap(1e-4), 7, IMU, LF_FOOT, RH_FOOT;
+    feet_stand_on_their_legs_in_body_axes: "quadruped" quadruped_local, Options::new().snap(1e-4), 7, IMU, LF_FOOT, RH_FOOT;
     eyes_and_soles_stand_where_they_should:
-        humanoid, Options::new().base(catena_urdf::Base::Floating), 7, LEFT_SOLE, LEFT_FINGER, RIGHT_PALM, EYES;
+        "humanoid" humanoid, Options::new().base(catena_urdf::Base::Floating), 7, LEFT_SOLE, LEFT_FINGER, RIGHT_PALM, EYES;
+    eyes_and_soles_stand_there_in_body_axes:
+        "humanoid" humanoid_local, Options::new().base(catena_urdf::Base::Floating), 7, LEFT_SOLE, LEFT_FINGER, RIGHT_PALM, EYES;
 }

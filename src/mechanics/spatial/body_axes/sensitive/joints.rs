@@ -13,12 +13,12 @@
 
 use super::super::axis::{Armature, Axis, Bearing, Mode};
 use super::super::closures::ClosedGains;
-use super::super::link::swirl;
 use super::super::number::{Number, Triple, apply, cross_onto, sum, triple, values};
 use super::super::relation::{Gains, Local};
 use super::super::standing::{Stand, Standing};
 use super::super::turns::Offset;
-use super::{jets, products_varied};
+use super::jets;
+use super::products::{products_varied, swirl};
 use crate::lift::Lift;
 use crate::mechanics::spatial::loads::Effort;
 use crate::mechanics::spatial::sensitive::columns::parts;

@@ -8,11 +8,12 @@
 //!
 //! where both brackets are linear in the products of ω.
 
-use super::super::link::{Link, products};
-use super::super::number::{triple, values};
+use super::super::link::Link;
+use super::super::number::{Triple, triple, values};
 use super::super::relation::Local;
 use super::super::through::Solid;
-use super::{jets, products_varied};
+use super::jets;
+use super::products::products_varied;
 use crate::mechanics::spatial::sensitive::columns::{Vectors, add, none, parts, value};
 use crate::mechanics::spatial::sensitive::{Answering, Passing, Pulling};
 use crate::mechanics::spatial::{Acceleration, Spatial, Wrench};
@@ -37,10 +38,10 @@ pub struct LinkStore<T, const K: usize> {
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
-    /// Force and torque at the origin for accelerations there and for products of ω.
+    /// Force and torque at the origin for accelerations there and for what ω takes.
     #[inline(always)]
-    fn forces(&self, p: [[T; 3]; 2], products: [T; 6]) -> [[T; 3]; 2] {
-        self.resisted(p.map(triple), self.known_stirred(products)).map(values)
+    fn forces(&self, p: [[T; 3]; 2], stirred: [Triple<T>; 2]) -> [[T; 3]; 2] {
+        self.resisted(p.map(triple), stirred).map(values)
     }
 }
 
@@ -104,12 +105,12 @@ impl<T: Scalar, const K: usize, const MOMENT: u8, const TENSOR: u8> Sensitive<Sp
     ) {
         let LinkStore { spin, acceleration: Acceleration { linear, angular }, .. } = *store;
         let (link, spin): (_, [T; 3]) = (at.plain, spin.into());
-        let [force, torque] = link.forces([linear.into(), angular.into()], products(spin));
+        let [force, torque] = link.forces([linear.into(), angular.into()], link.gyroscopic(spin));
         carried.force += Vector3::from(force);
         carried.torque += Vector3::from(torque);
         if N::PARAMETERS && store.seeded {
             let p = [jets(linear, &store.linear), jets(angular, &store.angular)];
-            let [force, torque] = self.forces(p, products(jets(Vector3::from(spin), &store.spins)));
+            let [force, torque] = self.forces(p, self.gyroscopic(jets(Vector3::from(spin), &store.spins)));
             add(&mut carried.forces, &parts(&Vector3::from(force)));
             add(&mut carried.torques, &parts(&Vector3::from(torque)));
         } else {
@@ -117,7 +118,7 @@ impl<T: Scalar, const K: usize, const MOMENT: u8, const TENSOR: u8> Sensitive<Sp
             let ([wx, wy, wz], [ax, ay, az], [bx, by, bz]) = (&store.spins, &store.linear, &store.angular);
             columns!(K; wx = *wx, wy = *wy, wz = *wz, ax = *ax, ay = *ay, az = *az, bx = *bx, by = *by, bz = *bz; k:
                 let p = [[ax[k], ay[k], az[k]], [bx[k], by[k], bz[k]]],
-                let own = link.forces(p, products_varied(spin, [wx[k], wy[k], wz[k]])),
+                let own = link.forces(p, link.stirred_by(products_varied(spin, [wx[k], wy[k], wz[k]]))),
                 mut fx = *fx => fx[k] + own[0][0],
                 mut fy = *fy => fy[k] + own[0][1],
                 mut fz = *fz => fz[k] + own[0][2],

@@ -8,20 +8,10 @@
 mod joints;
 mod links;
 mod mounts;
+mod products;
 
 use crate::scalar::{Jet, Scalar};
 use nalgebra::Vector3;
-
-/// How products of ω (xx, yy, zz, yz, xz, xy) change with it.
-#[inline(always)]
-fn products_varied<T: Scalar>([x, y, z]: [T; 3], [dx, dy, dz]: [T; 3]) -> [T; 6] {
-    let twice = |a: T, b: T| {
-        let product = a * b;
-        product + product
-    };
-    let both = |a: T, db: T, b: T, da: T| a.mul_add(db, b * da);
-    [twice(x, dx), twice(y, dy), twice(z, dz), both(y, dz, z, dy), both(x, dz, z, dx), both(x, dy, y, dx)]
-}
 
 /// A vector and its columns, as numbers with derivatives.
 fn jets<T: Scalar, const K: usize>(v: Vector3<T>, columns: &[[T; K]; 3]) -> [Jet<T, K>; 3] {

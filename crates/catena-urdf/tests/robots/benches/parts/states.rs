@@ -94,7 +94,7 @@ pub fn write(name: &str, list: &[f64]) {
     println!("{name} {}", words.join(" "));
 }
 
-/// States of a robot, its sweep, and where there are lists alone, functions of these.
+/// States of a robot, its sweep, and functions of lists; a joint and the place of the description's link in axes of its body, for Jacobians.
 macro_rules! robot {
     ($work:expr, $name:ident, $link:expr, $functions:ident) => {{
         const N: usize = $name::JOINTS.len();
@@ -107,7 +107,7 @@ macro_rules! robot {
         };
         if !work.0 {
             println!("joints {}", $name::JOINTS.join(" "));
-            println!("of {}", $name::JOINTS[$link]);
+            println!("of {}", $name::JOINTS[$link.0]);
             for state in &states {
                 write("q", &whole(&state.place, &state.q));
                 write("v", &whole(&state.base_rates, &state.v));
@@ -170,7 +170,7 @@ macro_rules! fixed {
             |s| $scene.mass_matrix_into(&s.q, &mut mass).map(|()| black_box(&mass)),
             |x| x.iter().flatten()
         );
-        function!($work, $states, "jacobian", |s| $scene.jacobian(&s.q, $link, [0.0; 3]), |x| x.into_iter().flatten());
+        function!($work, $states, "jacobian", |s| $scene.jacobian(&s.q, $link.0, $link.1), |x| x.into_iter().flatten());
         function!(
             $work,
             $states,
@@ -219,7 +219,7 @@ macro_rules! floating {
             $work,
             $states,
             "jacobian",
-            |s| $scene.jacobian_afloat(s.base().place, &s.q, Some($link), [0.0; 3]),
+            |s| $scene.jacobian_afloat(s.base().place, &s.q, Some($link.0), $link.1),
             |x| {
                 let catena::robot::SixRows { base, joints } = x;
                 base.into_iter().flatten().chain(joints.into_iter().flatten())
