@@ -35,7 +35,7 @@
 //! |---|---|
 //! | `forward_dynamics`, `inverse_dynamics`, `bias`, `gravity_torques` | accelerations from torques, torques from accelerations |
 //! | `mass_matrix`, `mass_solved`, `mass_inverse` | M, M⁻¹ times a list, M⁻¹ |
-//! | `places`, `jacobian` | where bodies are; how a point moves with the joints |
+//! | `places`, `jacobian` | where bodies are, and points of them ([`Place::point`]); how a point moves with the joints |
 //! | `mass_centre`, `joint_energy` | |
 //! | `difference`, `integrate`, `random_configuration` | what leads from one configuration to another, where that leads; one within limits |
 //! | `inverse_dynamics_derivatives`, `forward_dynamics_derivatives` | by positions, rates and torques |
