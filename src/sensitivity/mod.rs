@@ -51,7 +51,7 @@
 //! # What does not go through gains
 //!
 //! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips and loops (which go
-//! [backward](Backward)), `Free` roots of the plane, `Cylindrical` joints, linear springs of hinges, springs of balls, `Flange`, driven joints, and
+//! [backward](Backward)), `Cylindrical` joints, linear springs of hinges, springs of balls, `Flange`, driven joints, and
 //! implicit rules. Such scenes are differentiated by the rule itself.
 //!
 //! ```compile_fail,E0277

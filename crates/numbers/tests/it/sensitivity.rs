@@ -42,6 +42,34 @@ fn springs_welds_and_clamps_have_the_derivatives_of_dual_numbers() -> Result<(),
 }
 
 #[test]
+fn chains_that_float_have_the_derivatives_of_dual_numbers() -> Result<(), Error> {
+    as_dual_numbers!("afloat", 30 seeds, Rk4::step(0.01), 0.5, |x| {
+        let rod = Rod::new(x(0.7, 0), x(0.8, 1), x(0.3, 2), x(0.15, 3));
+        let plate = RigidBody::new(x(1.3, 4), x(0.2, 5), [x(0.4, 6), x(0.15, 7)], [x(0.9, 8), x(-0.2, 9)]);
+        let hinge = ElasticHinge::rotary(x(30.0, 10)).damped(x(0.3, 11)).resting_at(x(0.2, 12));
+        let bob = PointMass::new(x(0.4, 13), x(0.3, 14));
+        let chain = (rod, Branch((Pin, rod, Slider::along(x(0.5, 15)), bob)), hinge, plate, Pin, bob);
+        let system = System::new(Free, chain, Free)?.with_gravity_vector(Vector2::new(x(1.1, 16), x(-9.0, 17)));
+        let numbers = [0.2, -0.3, 0.6, 0.5, 0.1, -0.4, 0.9];
+        let mut start = system.motion();
+        start.set_coordinates(&core::array::from_fn::<_, 7, _>(|i| x(numbers[i], if i < 5 { 18 + i } else { FIXED })))?;
+        let rates = [0.6, -0.9, 1.4, -0.3, 0.8, 0.7, -1.1];
+        start.set_rates(&core::array::from_fn::<_, 7, _>(|i| x(rates[i], if i < 5 { 23 + i } else { FIXED })))?;
+        let torques = [x(0.7, 28), x(-0.4, FIXED), x(0.0, FIXED), x(0.3, 29), x(0.2, FIXED)];
+        (system, start, Loads::none().torques(torques))
+    });
+    // The mass of a single body does nothing.
+    as_dual_numbers!("a falling rod", 7 seeds, Dop853::tolerance(1e-9), 0.7, |x| {
+        let system = System::new(Free, Rod::uniform(x(0.7, 0), x(0.8, FIXED)), Free)?.with_gravity(x(9.81, 1));
+        let mut start = system.motion();
+        start.set_coordinates(&[x(0.1, 2), x(0.5, 3), x(-0.4, 4)])?;
+        start.set_rates(&[x(0.6, FIXED), x(-0.9, 5), x(1.4, 6)])?;
+        (system, start, Unloaded)
+    });
+    Ok(())
+}
+
+#[test]
 fn sliders_have_the_derivatives_of_dual_numbers() -> Result<(), Error> {
     as_dual_numbers!("sliders", 26 seeds, Rk4::step(0.01), 0.5, |x| {
         let plate = RigidBody::new(x(1.3, 0), x(0.2, 1), [x(0.4, 2), x(0.15, 3)], [x(0.9, 4), x(-0.2, 5)]);

@@ -12,21 +12,21 @@ use crate::spring::{Spring, SpringLaw};
 /// What a joint that turns keeps.
 #[derive(Clone, Copy)]
 pub struct TurnStore<T: Scalar, const K: usize> {
-    gain: Gain<T>,
+    pub(super) gain: Gain<T>,
     /// −1 / D.
     minus_inverse: T,
     /// Torque handed in.
-    load: Jet<T, K>,
+    pub(super) load: Jet<T, K>,
 }
 
 impl<T: Scalar, const K: usize> TurnStore<T, K> {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         Self { gain: Gain::blank(), minus_inverse: T::zero(), load: Jet::of(T::zero()) }
     }
 
     /// Eliminates the rotation under a torque.
     #[cfg_attr(optimised, inline(always))]
-    fn factor(&mut self, outer: Full<T>, torque: impl Term<T>) -> Full<T> {
+    pub(super) fn factor(&mut self, outer: Full<T>, torque: impl Term<T>) -> Full<T> {
         // The same quotient as in the elimination: it is formed once.
         self.minus_inverse = -outer.angular.recip();
         let (relation, gain) = outer.pinned(torque);
@@ -36,7 +36,7 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
 
     /// Turns residuals in a joint without torque into angular accelerations.
     #[cfg_attr(optimised, inline(always))]
-    fn gather(&self, carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
+    pub(super) fn gather(&self, carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
         let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
         columns!(K; ; k:
             mut x = carried.x => w.x.mul_add(torque[k], x[k]),
@@ -48,7 +48,7 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
 
     /// Turns residuals in a joint under a torque into angular accelerations.
     #[cfg_attr(optimised, inline(always))]
-    fn gather_under(&self, applied: &[T; K], carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
+    pub(super) fn gather_under(&self, applied: &[T; K], carried: &mut Pulling<T, K>, acceleration: &mut Jet<T, K>) {
         let (w, minus_inverse) = (self.gain.per_acceleration, self.minus_inverse);
         columns!(K; applied = *applied; k:
             let residual = torque[k] - applied[k],
@@ -56,6 +56,17 @@ impl<T: Scalar, const K: usize> TurnStore<T, K> {
             mut y = carried.y => w.y.mul_add(residual, y[k]),
             mut free = acceleration.eps => residual * minus_inverse,
             mut torque = carried.torque => applied[k]
+        );
+    }
+
+    /// Columns of the body's angular acceleration, the coordinate being the body's.
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn answer(&self, carried: &mut Answering<T, K>, acceleration: &mut Jet<T, K>) {
+        let w = self.gain.per_acceleration;
+        columns!(K; x = carried.x, y = carried.y; k:
+            let turned = w.x.mul_add(x[k], w.y.mul_add(y[k], free[k])),
+            mut angular = carried.angular => turned,
+            mut free = acceleration.eps => turned
         );
     }
 }
@@ -120,12 +131,7 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Pin {
         store: &Self::Room,
         acceleration: &mut Jet<T, K>,
     ) {
-        let w = store.gain.per_acceleration;
-        columns!(K; x = carried.x, y = carried.y; k:
-            let turned = w.x.mul_add(x[k], w.y.mul_add(y[k], free[k])),
-            mut angular = carried.angular => turned,
-            mut free = acceleration.eps => turned
-        );
+        store.answer(carried, acceleration);
     }
 }
 

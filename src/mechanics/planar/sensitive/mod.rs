@@ -1,6 +1,7 @@
 //! Derivatives through kept gains in the plane: what is carried outward and inward.
 
 mod bodies;
+mod floating;
 mod joints;
 mod slider;
 
