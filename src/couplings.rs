@@ -88,7 +88,7 @@ impl<T: Scalar> Tie<T> {
 /// Couplings of a scene's joints, beside other loads.
 ///
 /// What ties two joints is a pair of forces in them, λ in the follower and −r λ in its leader, that does no work. It is a load, one that
-/// hangs on the accelerations: each sweep is made once without, and once for each coupling, and λ follows from what these differ by. So `K`
+/// hangs on the accelerations: each sweep is made once without, and once for each coupling, for which bodies are posed already, and λ follows from what these differ by. So `K`
 /// couplings cost `K` + 1 sweeps where there was one (counted as one by [`Run`](crate::simulate::Run)), and one more in scenes whose joints stick or
 /// strike stops. (In scenes with vectors they allocate.) All rules know them, implicit ones too, events, dense output and readings: internal forces contain λ. Accelerations are
 /// coupled to rounding, and so are motions that begin so, for rules add multiples of accelerations up: what they miss is checked where a
@@ -122,19 +122,29 @@ pub struct Couplings<T: Scalar, const K: usize, L = Unloaded> {
     ties: [Tie<T>; K],
     /// Forces λ (N·m, N) of a sweep under way.
     forces: [T; K],
-    /// Whether sweeps take these forces as they are.
-    given: bool,
+    sweeps: Sweeps,
     /// How many bodies and joints the scene has.
     counts: [usize; 2],
     others: L,
+}
+
+/// What sweeps under couplings do about their forces.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sweeps {
+    /// Find them.
+    Find,
+    /// Take them as they are.
+    Take,
+    /// Take them as they are, where the sweep before was.
+    TakeAgain,
 }
 
 impl<T: Scalar, const K: usize> Couplings<T, K> {
     /// Other loads besides. [`Torques`](crate::robot::Torques), which number joints of one coordinate, do not compile here: take
     /// [`Loads::efforts`](crate::loading::Loads::efforts).
     pub fn and<L>(self, others: L) -> Couplings<T, K, L> {
-        let Self { ties, forces, given, counts, .. } = self;
-        Couplings { ties, forces, given, counts, others }
+        let Self { ties, forces, sweeps, counts, .. } = self;
+        Couplings { ties, forces, sweeps, counts, others }
     }
 }
 
@@ -173,25 +183,31 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
 
     /// Forces λ of couplings, from accelerations without them and by a unit of each.
     pub(crate) fn balancing<const N: usize>(&self, free: &[T; N], responses: &[[T; N]; K]) -> [T; K] {
-        let pairs = |list: &[T; N]| self.pairs(|tie| tie.rates, |visit| list.iter().for_each(|x| visit(*x)));
-        let missed = |list: &[T; N]| self.missing(pairs(list));
-        let measures = core::array::from_fn(|k| self.ties[k].measure(pairs(&responses[k])[k]));
-        solved(responses.each_ref().map(missed), measures, missed(free).map(|missed| -missed))
+        let pairs = |list: &[T; N]| {
+            self.ties.each_ref().map(|tie| tie.rates.map(|place| list.get(place).copied().unwrap_or(T::zero())))
+        };
+        self.balanced_by(&responses.each_ref().map(pairs), self.missing(pairs(free)))
     }
 
-    /// How much a response moves follower and leader of a coupling.
-    fn moved<V: Rate<T>>(&self, k: usize, response: &V) -> T::Real {
-        self.ties[k].measure(self.rates(response)[k])
+    /// The shares of responses, by the numbers of followers and leaders in each, that undo what is missed.
+    fn balanced_by(&self, responses: &[[[T; 2]; K]; K], missed: [T; K]) -> [T; K] {
+        let measures = core::array::from_fn(|k| self.ties[k].measure(responses[k][k]));
+        solved(responses.map(|pairs| self.missing(pairs)), measures, missed.map(|missed| -missed))
     }
 
     /// Positions of followers and leaders.
     fn places<P: Position<T>>(&self, position: &P) -> [[T; 2]; K] {
-        self.pairs(|tie| tie.coordinates, |visit| position.visit(&mut |x| visit(x)))
+        let mut pairs = Pairs::of(&self.ties, |tie| tie.coordinates);
+        position.visit(&mut |x| pairs.show(x));
+        pairs.found
     }
 
     /// Rates, or accelerations, of followers and leaders.
+    #[inline]
     fn rates<V: Rate<T>>(&self, rate: &V) -> [[T; 2]; K] {
-        self.pairs(|tie| tie.rates, |visit| rate.visit(&mut |x| visit(x)))
+        let mut pairs = Pairs::of(&self.ties, |tie| tie.rates);
+        rate.visit(&mut |x| pairs.show(x));
+        pairs.found
     }
 
     /// By how much followers are not where their leaders have them.
@@ -222,21 +238,31 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
     fn missing(&self, pairs: [[T; 2]; K]) -> [T; K] {
         core::array::from_fn(|k| self.ties[k].missed(pairs[k]))
     }
+}
 
-    /// Numbers of followers and leaders in a list.
-    fn pairs(&self, places: impl Fn(&Tie<T>) -> [usize; 2], list: impl FnOnce(&mut dyn FnMut(T))) -> [[T; 2]; K] {
-        let (mut pairs, mut number) = ([[T::zero(); 2]; K], 0);
-        list(&mut |x| {
-            for (pair, tie) in pairs.iter_mut().zip(&self.ties) {
-                for (entry, place) in pair.iter_mut().zip(places(tie)) {
-                    if place == number {
-                        *entry = x;
-                    }
+/// Numbers of followers and leaders, as they are met in a list.
+struct Pairs<T, const K: usize> {
+    found: [[T; 2]; K],
+    places: [[usize; 2]; K],
+    next: usize,
+}
+
+impl<T: Scalar, const K: usize> Pairs<T, K> {
+    fn of(ties: &[Tie<T>; K], places: impl Fn(&Tie<T>) -> [usize; 2]) -> Self {
+        Self { found: [[T::zero(); 2]; K], places: ties.each_ref().map(places), next: 0 }
+    }
+
+    /// The next number of the list.
+    #[inline(always)]
+    fn show(&mut self, x: T) {
+        for (pair, places) in self.found.iter_mut().zip(&self.places) {
+            for (entry, place) in pair.iter_mut().zip(places) {
+                if *place == self.next {
+                    *entry = x;
                 }
             }
-            number += 1;
-        });
-        pairs
+        }
+        self.next += 1;
     }
 }
 

@@ -1,7 +1,6 @@
 //! Couplings as loads: forces that follow from the accelerations of a sweep without them, and of one by each.
 
-use super::solve::solved;
-use super::{Couplings, Tie, unit};
+use super::{Couplings, Sweeps, Tie, unit};
 use crate::element::{Level, Loading, RealOf};
 use crate::error::Fault;
 use crate::loading::{EffortOf, missed_beyond};
@@ -20,11 +19,13 @@ const LARGER: f64 = 4096.0;
 
 /// What sweeps answer without couplings, and to the force of each.
 struct Answers<T: Scalar, V, const K: usize> {
-    /// Accelerations without.
+    /// Accelerations without, and by how much they miss what couplings ask of them.
     free: V,
-    /// Forces (N·m, N), and what each adds.
+    missed: [T; K],
+    /// Forces (N·m, N), and what each adds, to all and to followers and leaders.
     sizes: [T::Real; K],
     responses: [V; K],
+    pairs: [[[T; 2]; K]; K],
 }
 
 /// Adds a share of each response.
@@ -43,19 +44,18 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
         let (free, missed) = (acceleration.clone(), self.missed(acceleration));
         let sizes: [_; K] = core::array::from_fn(|k| self.ties[k].inertia * (one + missed[k].real().abs()) * larger);
         let responses: [V; K] = core::array::from_fn(|k| {
-            sweep(&self.pulling(unit(k, T::constant(sizes[k]))), acceleration);
+            sweep(&self.pulling_again(unit(k, T::constant(sizes[k]))), acceleration);
             let mut response = free.clone();
             response.mix_1(acceleration, (-one, &free));
             response
         });
-        Answers { free, sizes, responses }
+        let pairs = responses.each_ref().map(|response| self.rates(response));
+        Answers { free, missed, sizes, responses, pairs }
     }
 
     /// The shares of responses that undo what is missed.
     pub(super) fn solved<V: Rate<T>>(&self, responses: &[V; K], missed: [T; K]) -> [T; K] {
-        let columns = responses.each_ref().map(|response| self.missed(response));
-        let measures = core::array::from_fn(|k| self.moved(k, &responses[k]));
-        solved(columns, measures, missed.map(|missed| -missed))
+        self.balanced_by(&responses.each_ref().map(|response| self.rates(response)), missed)
     }
 
     /// What forces λ exert in a joint.
@@ -73,7 +73,12 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
 
     /// These loads with forces λ that are given.
     pub(super) fn pulling(&self, forces: [T; K]) -> Self {
-        Self { forces, given: true, ..self.clone() }
+        Self { forces, sweeps: Sweeps::Take, ..self.clone() }
+    }
+
+    /// These loads with forces λ that are given, in a sweep where the one before was.
+    fn pulling_again(&self, forces: [T; K]) -> Self {
+        Self { forces, sweeps: Sweeps::TakeAgain, ..self.clone() }
     }
 }
 
@@ -124,17 +129,20 @@ where
         let rates = self.missed(rate).into_iter().zip(self.rates(rate));
         rates.for_each(|(missed, [follower, _])| tell(Level::Velocity, missed, follower));
     }
+    #[inline(always)]
+    fn again(&self) -> bool {
+        self.sweeps == Sweeps::TakeAgain
+    }
     fn accelerated<V: Rate<S::Scalar>>(&self, read: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
-        if self.given {
+        if self.sweeps != Sweeps::Find {
             return sweep(self, acceleration);
         }
-        let Answers { free, sizes, responses } = self.answers(acceleration, &mut sweep);
-        let missed = self.missed(&free);
-        let shares = self.solved(&responses, missed);
+        let Answers { free, missed, sizes, responses, pairs } = self.answers(acceleration, &mut sweep);
+        let shares = self.balanced_by(&pairs, missed);
         if read {
             // What is told of modes is not linear in forces, and closure forces are those of the last sweep.
             let forces = core::array::from_fn(|k| shares[k].scale(sizes[k]));
-            sweep(&self.pulling(forces), acceleration);
+            sweep(&self.pulling_again(forces), acceleration);
             return self.still(acceleration, missed);
         }
         acceleration.set(&free);
@@ -154,13 +162,13 @@ where
         }
         let (apart, parting) = (self.apart(position), self.missed(rate));
         let mut found = rate.clone();
-        let Answers { responses, .. } =
+        let Answers { responses, pairs, .. } =
             self.answers(&mut found, &mut |loads, found| sweep(loads, &*position, &*rate, found));
         let mut step = rate.clone();
         step.replace(&mut |_| S::Scalar::zero());
-        along(&mut step, responses.clone(), self.solved(&responses, apart));
+        along(&mut step, responses.clone(), self.balanced_by(&pairs, apart));
         position.displace(&step);
-        let shares = self.solved(&responses, parting);
+        let shares = self.balanced_by(&pairs, parting);
         along(rate, responses, shares);
         there
     }

@@ -75,6 +75,13 @@ pub trait Loading<S: Space> {
         sweep(self, acceleration);
     }
 
+    /// Whether the sweep before was at the same place and rates, so that bodies are posed: as sweeps of [`accelerated`](Self::accelerated) are, but for
+    /// the first.
+    #[inline(always)]
+    fn again(&self) -> bool {
+        false
+    }
+
     /// Moves joints to where these loads hold them, and makes them as fast, where closures are closed: along what forces between them cause, by
     /// sweeps. Gives whether they were there.
     fn rejoined<P: Position<S::Scalar>>(

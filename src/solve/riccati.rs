@@ -119,14 +119,19 @@ pub fn sweep<S: Space, E, W, R, P>(
     let Site { root, gravity, tip, loads, time } = site;
     let ground = &root.ground(*time);
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
-    sines(chain, position, x);
-    faced(chain, *ground, position, rate, x);
     // What a load reads of the motion is posed before.
     let late = const { E::POSED_LATE && !W::Loads::ON && !<W::Springs as Springs<S::Scalar>>::STIFF };
-    let turn = if late {
-        chain.turned(position, rate, ground.turn)
+    // A free tip does not ask how it is turned.
+    let turn = if const { W::Loads::COUPLED && W::Closures::COUNT == 0 } && loads.again() {
+        ground.turn
     } else {
-        chain.pose(position, rate, ground.turn, sizes, x, y, p, q)
+        sines(chain, position, x);
+        faced(chain, *ground, position, rate, x);
+        if late {
+            chain.turned(position, rate, ground.turn)
+        } else {
+            chain.pose(position, rate, ground.turn, sizes, x, y, p, q)
+        }
     };
     if const { W::Loads::ON && spread::is_listed::<S, E, W::Loads>() } {
         spread::loads(chain, *loads, (|x| x, |x| x), on_bodies, in_joints);

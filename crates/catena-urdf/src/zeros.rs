@@ -81,17 +81,28 @@ fn largest(x: impl IntoIterator<Item = f64>) -> f64 {
 }
 
 impl Moves<'_> {
-    /// Where a body's joint sits on its parent, in axes of that as they are moved, with the size of what it is made of.
+    /// How a body's joint has been shifted along its axis, in axes of the parent.
+    fn shifted(&self, body: usize) -> Vector {
+        let Body { pose, axis, .. } = &self.robot.bodies[body];
+        scale(self.moves[body].shift, apply(&pose.turn, *axis))
+    }
+
+    /// Where a body's joint sits on its parent, in axes of that before they are moved.
+    fn reach(&self, body: usize) -> Vector {
+        add(self.robot.bodies[body].pose.place, self.shifted(body))
+    }
+
+    /// The same in those axes as they are moved, with the size of what it is made of.
     fn place(&self, body: usize) -> (Vector, f64) {
-        let Body { pose, axis, parent, .. } = &self.robot.bodies[body];
-        let own = scale(self.moves[body].shift, apply(&pose.turn, *axis));
+        let Body { pose, parent, .. } = &self.robot.bodies[body];
+        let size = largest(pose.place) + largest(self.shifted(body));
         let Some(parent) = *parent else {
-            return (add(pose.place, own), largest(pose.place) + largest(own));
+            return (self.reach(body), size);
         };
         let (Move { angle, shift }, axis) = (self.moves[parent], self.robot.bodies[parent].axis);
         let parents = scale(shift, axis);
-        let place = subtract(add(pose.place, own), parents);
-        (apply(&transpose(&turn(axis, angle)), place), largest(pose.place) + largest(own) + largest(parents))
+        let place = apply(&transpose(&turn(axis, angle)), subtract(self.reach(body), parents));
+        (place, size + largest(parents))
     }
 
     /// A joint's axis in axes of its parent as they are moved.
@@ -158,8 +169,8 @@ impl Moves<'_> {
             list.extend(onto_axis(axis, own.inertia.centre));
             for child in self.children[body].iter().take(SUITED) {
                 let Body { pose, axis: of_child, .. } = &self.robot.bodies[*child];
-                let reach = add(pose.place, scale(self.moves[*child].shift, apply(&pose.turn, *of_child)));
-                list.extend([apply(&pose.turn, *of_child), reach].into_iter().filter_map(|x| onto_axis(axis, x)));
+                let vectors = [apply(&pose.turn, *of_child), self.reach(*child)];
+                list.extend(vectors.into_iter().filter_map(|x| onto_axis(axis, x)));
             }
             self.take_best(body, list.into_iter().map(|angle| Move { angle, ..now }).collect());
         }
@@ -168,11 +179,7 @@ impl Moves<'_> {
         let mut list = vec![0.0, dot(axis, own.inertia.centre)];
         let ((place, _), along) = (self.place(body), self.axis(body));
         list.extend((0..3).filter(|k| along[*k].abs() > 0.1).map(|k| now.shift - place[k] / along[k]));
-        for child in self.children[body].iter().take(SUITED) {
-            let Body { pose, axis: of_child, .. } = &self.robot.bodies[*child];
-            let reach = add(pose.place, scale(self.moves[*child].shift, apply(&pose.turn, *of_child)));
-            list.push(dot(axis, reach));
-        }
+        list.extend(self.children[body].iter().take(SUITED).map(|child| dot(axis, self.reach(*child))));
         self.take_best(body, list.into_iter().map(|shift| Move { shift, ..now }).collect());
     }
 }

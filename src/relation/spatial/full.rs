@@ -63,6 +63,13 @@ pub trait Rigid<T: Scalar>: Copy {
     fn afloat_with(self, lumped: T) -> Afloat<T, Self::Closures> {
         Relation::with_mass(self.full(), lumped).afloat()
     }
+    /// The acceleration of the station where nothing acts on it but a force (N) and a torque (N·m) from outside, inertial axes.
+    #[cfg_attr(optimised, inline(always))]
+    fn afloat_under(self, force: Vector3<T>, torque: Vector3<T>) -> AccelerationOf<Spatial<T>> {
+        let own = self.full();
+        let (acceleration, ..) = Full { force: own.force - force, torque: own.torque - torque, ..own }.afloat();
+        acceleration
+    }
 }
 
 impl<T: Scalar, C: Closures> Rigid<T> for Full<T, C> {

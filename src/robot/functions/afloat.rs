@@ -9,7 +9,7 @@ use crate::mechanics::spatial::body_axes::Place;
 use crate::mechanics::spatial::{Free, Turn};
 use crate::relation::Open;
 use crate::relation::spatial::algebra::{Columns, cross, zero};
-use crate::relation::spatial::{Empty, Full, Rigid};
+use crate::relation::spatial::{Empty, Rigid};
 use crate::scalar::Scalar;
 use crate::system::System;
 use nalgebra::Vector3;
@@ -91,8 +91,7 @@ impl<T: Scalar, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, Free, C, P> {
             v,
             torques,
             |outer| {
-                let outer = outer.full();
-                let (moved, ..) = Full { force: outer.force - force, torque: outer.torque - torque, ..outer }.afloat();
+                let moved = outer.afloat_under(force, torque);
                 of_base = [moved.linear + self.gravity(), attitude.transposed(moved.angular)];
                 moved
             },

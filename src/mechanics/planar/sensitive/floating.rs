@@ -11,7 +11,7 @@ use crate::mechanics::planar::{Acceleration, Planar};
 use crate::relation::planar::algebra::Symmetric2;
 use crate::relation::planar::{Full, Relation};
 use crate::scalar::{Jet, Scalar, columns};
-use crate::sensitive::{At, Seeds, Sensitive};
+use crate::sensitive::{At, Seeds, Sensitive, Varied};
 use nalgebra::Vector2;
 
 /// What a chain that floats keeps.
@@ -101,7 +101,7 @@ impl<T: Scalar, const K: usize> Sensitive<Planar<Jet<T, K>>> for Floating<Jet<T,
             mut free_x = of_x.eps => -xx.mul_add(x[k], xy * y[k]),
             mut free_y = of_y.eps => -xy.mul_add(x[k], yy * y[k])
         );
-        *carried = <Planar<Jet<T, K>> as crate::sensitive::Varied>::no_pull();
+        *carried = Planar::<Jet<T, K>>::no_pull();
     }
     #[cfg_attr(optimised, inline(always))]
     fn answer(

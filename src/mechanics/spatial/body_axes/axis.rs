@@ -152,6 +152,7 @@ impl<T: Scalar, M: Mode, C, const PLACE: u8, L, A, B> Axis<T, M, C, PLACE, L, A,
 impl<T: Scalar, C: Offset<T>, const PLACE: u8, L, A, B> Axis<T, AboutZ, C, PLACE, L, A, B> {
     /// With the body turned about the hinge's own axis, by an angle (rad) more than its coordinate says: added to the coordinate before sine
     /// and cosine are taken, it lets axes of bodies be chosen as Denavit and Hartenberg do, who need no turn but by it and one about x.
+    /// [`turned`](Self::turned) comes before: it puts another turn in the place of all that there is.
     ///
     /// ```
     /// use catena::robot::*;

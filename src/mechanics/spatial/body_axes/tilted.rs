@@ -23,6 +23,12 @@ impl<T: Scalar, C: Closures> Tilted<T, C> {
     pub(super) fn new(local: Local<T, C>, attitude: Columns<T>) -> Self {
         Self { local, attitude }
     }
+
+    /// An acceleration in inertial axes, from one in those of the body.
+    #[inline(always)]
+    fn inertial(&self, p: AccelerationOf<Spatial<T>>) -> AccelerationOf<Spatial<T>> {
+        AccelerationOf::<Spatial<T>> { linear: self.attitude.apply(p.linear), angular: self.attitude.apply(p.angular) }
+    }
 }
 
 impl<T: Scalar, C: Closures> Rigid<T> for Tilted<T, C> {
@@ -34,12 +40,14 @@ impl<T: Scalar, C: Closures> Rigid<T> for Tilted<T, C> {
     }
     #[cfg_attr(optimised, inline(always))]
     fn afloat_with(self, lumped: T) -> Afloat<T, C> {
-        let turned = |p: AccelerationOf<Spatial<T>>| AccelerationOf::<Spatial<T>> {
-            linear: self.attitude.apply(p.linear),
-            angular: self.attitude.apply(p.angular),
-        };
         let (acceleration, per_closure, cuts) = self.local.full().afloat_with(lumped);
+        let turned = |p| self.inertial(p);
         (turned(acceleration), C::map(&per_closure, turned), cuts.mapped(|w| self.attitude.apply(w)))
+    }
+    #[cfg_attr(optimised, inline(always))]
+    fn afloat_under(self, force: Vector3<T>, torque: Vector3<T>) -> AccelerationOf<Spatial<T>> {
+        let [force, torque] = [force, torque].map(|v| self.attitude.transposed(v));
+        self.inertial(self.local.full().afloat_under(force, torque))
     }
 }
 
