@@ -1,7 +1,7 @@
 //! Robots: arms and legged machines of hinges, slides and links, in axes of their bodies.
 //!
 //! What a description has zeros of, is a type here, and costs nothing: the places of joints, turns between bodies, mass centres and
-//! tensors. A seven-joint arm of the usual make takes half the instructions of the same arm in the elements of
+//! tensors. A seven-joint arm of the usual make takes two fifths of the instructions of the same arm in the elements of
 //! [`spatial`](crate::spatial), whose scenes, ends, rules, loads and readings these are.
 //!
 //! ```

@@ -26,7 +26,7 @@ pub enum Elements {
     #[default]
     Inertial,
     /// Elements of `catena::robot`, in axes of the bodies, z along each joint's axis: what is zero, and turns that are quarters, become
-    /// types. 0.45 to 0.62 of the instructions, and functions of lists.
+    /// types. 0.30 to 0.47 of the instructions, and functions of lists.
     Local,
     /// Elements of `catena::robot` with no number known to be zero: to measure by.
     LocalGeneral,
