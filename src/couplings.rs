@@ -122,29 +122,19 @@ pub struct Couplings<T: Scalar, const K: usize, L = Unloaded> {
     ties: [Tie<T>; K],
     /// Forces λ (N·m, N) of a sweep under way.
     forces: [T; K],
-    sweeps: Sweeps,
+    /// Whether sweeps take these forces as they are.
+    given: bool,
     /// How many bodies and joints the scene has.
     counts: [usize; 2],
     others: L,
-}
-
-/// What sweeps under couplings do about their forces.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Sweeps {
-    /// Find them.
-    Find,
-    /// Take them as they are.
-    Take,
-    /// Take them as they are, where the sweep before was.
-    TakeAgain,
 }
 
 impl<T: Scalar, const K: usize> Couplings<T, K> {
     /// Other loads besides. [`Torques`](crate::robot::Torques), which number joints of one coordinate, do not compile here: take
     /// [`Loads::efforts`](crate::loading::Loads::efforts).
     pub fn and<L>(self, others: L) -> Couplings<T, K, L> {
-        let Self { ties, forces, sweeps, counts, .. } = self;
-        Couplings { ties, forces, sweeps, counts, others }
+        let Self { ties, forces, given, counts, .. } = self;
+        Couplings { ties, forces, given, counts, others }
     }
 }
 

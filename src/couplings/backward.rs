@@ -76,8 +76,8 @@ macro_rules! backward {
                 L::Law::unstirred()
             }
             fn ties(&self) -> Couplings<T, K> {
-                let Self { ties, forces, sweeps, counts, .. } = *self;
-                Couplings { ties, forces, sweeps, counts, others: Unloaded }
+                let Self { ties, forces, given, counts, .. } = *self;
+                Couplings { ties, forces, given, counts, others: Unloaded }
             }
             fn of_ratios((of_ratios, _): &mut Self::OfNumbers) -> &mut [T] {
                 of_ratios

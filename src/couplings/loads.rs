@@ -1,6 +1,6 @@
 //! Couplings as loads: forces that follow from the accelerations of a sweep without them, and of one by each.
 
-use super::{Couplings, Sweeps, Tie, unit};
+use super::{Couplings, Tie, unit};
 use crate::element::{Level, Loading, RealOf};
 use crate::error::Fault;
 use crate::loading::{EffortOf, missed_beyond};
@@ -38,13 +38,17 @@ fn along<T: Scalar, V: Rate<T>, const K: usize>(sum: &mut V, responses: [V; K], 
 
 impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
     /// What sweeps answer.
-    fn answers<V: Rate<T>>(&self, acceleration: &mut V, sweep: &mut impl FnMut(&Self, &mut V)) -> Answers<T, V, K> {
+    fn answers<V: Rate<T>>(
+        &self,
+        acceleration: &mut V,
+        sweep: &mut impl FnMut(&Self, bool, &mut V),
+    ) -> Answers<T, V, K> {
         let (one, larger) = (T::Real::one(), T::Real::of(LARGER));
-        sweep(&self.pulling([T::zero(); K]), acceleration);
+        sweep(&self.pulling([T::zero(); K]), false, acceleration);
         let (free, missed) = (acceleration.clone(), self.missed(acceleration));
         let sizes: [_; K] = core::array::from_fn(|k| self.ties[k].inertia * (one + missed[k].real().abs()) * larger);
         let responses: [V; K] = core::array::from_fn(|k| {
-            sweep(&self.pulling_again(unit(k, T::constant(sizes[k]))), acceleration);
+            sweep(&self.pulling(unit(k, T::constant(sizes[k]))), true, acceleration);
             let mut response = free.clone();
             response.mix_1(acceleration, (-one, &free));
             response
@@ -73,12 +77,7 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
 
     /// These loads with forces λ that are given.
     pub(super) fn pulling(&self, forces: [T; K]) -> Self {
-        Self { forces, sweeps: Sweeps::Take, ..self.clone() }
-    }
-
-    /// These loads with forces λ that are given, in a sweep where the one before was.
-    fn pulling_again(&self, forces: [T; K]) -> Self {
-        Self { forces, sweeps: Sweeps::TakeAgain, ..self.clone() }
+        Self { forces, given: true, ..self.clone() }
     }
 }
 
@@ -129,20 +128,21 @@ where
         let rates = self.missed(rate).into_iter().zip(self.rates(rate));
         rates.for_each(|(missed, [follower, _])| tell(Level::Velocity, missed, follower));
     }
-    #[inline(always)]
-    fn again(&self) -> bool {
-        self.sweeps == Sweeps::TakeAgain
-    }
-    fn accelerated<V: Rate<S::Scalar>>(&self, read: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
-        if self.sweeps != Sweeps::Find {
-            return sweep(self, acceleration);
+    fn accelerated<V: Rate<S::Scalar>>(
+        &self,
+        read: bool,
+        acceleration: &mut V,
+        mut sweep: impl FnMut(&Self, bool, &mut V),
+    ) {
+        if self.given {
+            return sweep(self, false, acceleration);
         }
         let Answers { free, missed, sizes, responses, pairs } = self.answers(acceleration, &mut sweep);
         let shares = self.balanced_by(&pairs, missed);
         if read {
             // What is told of modes is not linear in forces, and closure forces are those of the last sweep.
             let forces = core::array::from_fn(|k| shares[k].scale(sizes[k]));
-            sweep(&self.pulling_again(forces), acceleration);
+            sweep(&self.pulling(forces), true, acceleration);
             return self.still(acceleration, missed);
         }
         acceleration.set(&free);
@@ -163,7 +163,7 @@ where
         let (apart, parting) = (self.apart(position), self.missed(rate));
         let mut found = rate.clone();
         let Answers { responses, pairs, .. } =
-            self.answers(&mut found, &mut |loads, found| sweep(loads, &*position, &*rate, found));
+            self.answers(&mut found, &mut |loads, _, found| sweep(loads, &*position, &*rate, found));
         let mut step = rate.clone();
         step.replace(&mut |_| S::Scalar::zero());
         along(&mut step, responses.clone(), self.balanced_by(&pairs, apart));

@@ -1,6 +1,6 @@
 //! Couplings placed in a scene: joints found and looked at, and the inertia that resists each.
 
-use super::{Coupling, Couplings, Pick, Sweeps, Tie, unit};
+use super::{Coupling, Couplings, Pick, Tie, unit};
 use crate::element::{Element, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place, ensure_finite};
@@ -53,7 +53,7 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
             };
         }
         let (forces, counts) = ([T::zero(); K], [scene.bodies(), scene.joints()]);
-        let mut couplings = Self { ties, forces, sweeps: Sweeps::Find, counts, others: Unloaded };
+        let mut couplings = Self { ties, forces, given: false, counts, others: Unloaded };
         couplings.weigh(scene)?;
         Ok(couplings)
     }

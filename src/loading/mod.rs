@@ -68,18 +68,17 @@ pub trait Loading<S: Space> {
     }
 
     /// Finds accelerations by a sweep under loads; by several, where forces hang on these. The last one is under the forces found where more is
-    /// read of it than accelerations (`read`): what is told of joints with modes, closure forces.
+    /// read of it than accelerations (`read`): what is told of joints with modes, closure forces. A sweep is told whether it is not the first, so that
+    /// bodies are posed.
     #[inline(always)]
-    fn accelerated<V: Rate<S::Scalar>>(&self, read: bool, acceleration: &mut V, mut sweep: impl FnMut(&Self, &mut V)) {
+    fn accelerated<V: Rate<S::Scalar>>(
+        &self,
+        read: bool,
+        acceleration: &mut V,
+        mut sweep: impl FnMut(&Self, bool, &mut V),
+    ) {
         let _ = read;
-        sweep(self, acceleration);
-    }
-
-    /// Whether the sweep before was at the same place and rates, so that bodies are posed: as sweeps of [`accelerated`](Self::accelerated) are, but for
-    /// the first.
-    #[inline(always)]
-    fn again(&self) -> bool {
-        false
+        sweep(self, false, acceleration);
     }
 
     /// Moves joints to where these loads hold them, and makes them as fast, where closures are closed: along what forces between them cause, by

@@ -225,7 +225,7 @@ where
         workspace: &mut Self::Workspace,
         acceleration: &mut Self::Rate,
     ) {
-        let mut swept = |loads: &L, acceleration: &mut Self::Rate| {
+        let mut swept = |loads: &L, _: bool, acceleration: &mut Self::Rate| {
             let elements = self.scene.elements();
             let ground = self.scene.ground(time);
             if L::ON {
@@ -257,7 +257,7 @@ where
         if const { L::COUPLED } {
             loads.accelerated(PositionOf::<S, R, C>::MODES, acceleration, swept);
         } else {
-            swept(loads, acceleration);
+            swept(loads, false, acceleration);
         }
     }
 

@@ -86,6 +86,8 @@ pub struct Site<'a, S: Space, R, P, L> {
     pub loads: &'a L,
     /// Time (s).
     pub time: RealOf<S>,
+    /// Whether the sweep before was here, at the same positions and rates, so that bodies are posed: where loads are coupled.
+    pub again: bool,
 }
 
 /// How springs enter a sweep, and where they are.
@@ -116,13 +118,13 @@ pub fn sweep<S: Space, E, W, R, P>(
     P: Tip<S>,
     E: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
 {
-    let Site { root, gravity, tip, loads, time } = site;
+    let Site { root, gravity, tip, loads, time, again } = site;
     let ground = &root.ground(*time);
     let Workspace { sizes, x, y, p, q, on_bodies, in_joints, kept, multipliers, compliance, .. } = workspace;
     // What a load reads of the motion is posed before.
     let late = const { E::POSED_LATE && !W::Loads::ON && !<W::Springs as Springs<S::Scalar>>::STIFF };
     // A free tip does not ask how it is turned.
-    let turn = if const { W::Loads::COUPLED && W::Closures::COUNT == 0 } && loads.again() {
+    let turn = if const { W::Loads::COUPLED && W::Closures::COUNT == 0 } && *again {
         ground.turn
     } else {
         sines(chain, position, x);

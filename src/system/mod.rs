@@ -159,7 +159,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
     /// Where a sweep at a time takes place.
     pub(crate) fn site<'l, L>(&'l self, time: RealOf<S>, loads: &'l L) -> Site<'l, S, R, P, L> {
-        Site { root: &self.root, gravity: self.gravity, tip: &self.tip, loads, time }
+        Site { root: &self.root, gravity: self.gravity, tip: &self.tip, loads, time, again: false }
     }
 
     /// Number of bodies.

@@ -12,7 +12,7 @@ use crate::relation::{Closures, Solvable, VectorSpace};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
-use crate::solve::riccati::{Spring, Workspace, broken_load, correction, sweep};
+use crate::solve::riccati::{Site, Spring, Workspace, broken_load, correction, sweep};
 use crate::space::{MovingBody, MovingJoint};
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
@@ -266,14 +266,15 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ) where
         Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
     {
-        let mut swept = |loads: &W::Loads, acceleration: &mut RateOf<S, R, C>| {
-            sweep(&self.chain, &self.site(time, loads), position, rate, spring, workspace, acceleration);
+        let mut swept = |loads: &W::Loads, again: bool, acceleration: &mut RateOf<S, R, C>| {
+            let site = Site { again, ..self.site(time, loads) };
+            sweep(&self.chain, &site, position, rate, spring, workspace, acceleration);
         };
         // A constant asks, for behind a call of `accelerated` a sweep is compiled otherwise: 1 % more instructions of some.
         if const { W::Loads::COUPLED } {
             loads.accelerated(PositionOf::<S, R, C>::MODES || Self::CLOSED > 0, acceleration, swept);
         } else {
-            swept(loads, acceleration);
+            swept(loads, false, acceleration);
         }
     }
 

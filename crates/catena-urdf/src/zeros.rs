@@ -92,7 +92,7 @@ impl Moves<'_> {
         add(self.robot.bodies[body].pose.place, self.shifted(body))
     }
 
-    /// The same in those axes as they are moved, with the size of what it is made of.
+    /// Where a body's joint sits on its parent, in axes of that as they are moved, with the size of what it is made of.
     fn place(&self, body: usize) -> (Vector, f64) {
         let Body { pose, parent, .. } = &self.robot.bodies[body];
         let size = largest(pose.place) + largest(self.shifted(body));
