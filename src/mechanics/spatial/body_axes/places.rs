@@ -35,7 +35,8 @@ impl<T: Scalar> Place<T> {
     /// let link = Link::general(3.0, [0.0, 0.0, 0.2], [[0.05, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.01]]);
     /// let arm = System::new(Base::origin(), (Hinge::level().grounded(), link), Free)?;
     /// let [forearm] = arm.places(&[core::f64::consts::FRAC_PI_2])?;
-    /// assert!((forearm.point([0.3, 0.0, 0.5]) - [0.0, 0.3, 0.5].into()).norm() < 1e-15);
+    /// let found = forearm.point([0.3, 0.0, 0.5]);
+    /// assert!((found - catena::nalgebra::Vector3::new(0.0, 0.3, 0.5)).norm() < 1e-15);
     /// # Ok::<(), catena::Error>(())
     /// ```
     #[inline(always)]
