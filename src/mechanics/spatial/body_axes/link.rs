@@ -1,7 +1,9 @@
 //! A rigid body in its own axes.
 
 use super::loaded::OnLink;
-use super::number::{Number, Triangle, Triple, apply_onto, cross_onto, masked, more, rows, triangle, triple, values};
+use super::number::{
+    Number, Triangle, Triple, apply_onto, cross_onto, dot_onto, masked, more, rows, scaled, triangle, triple, values,
+};
 use super::relation::{Alone, Local};
 use super::through::Solid;
 use crate::counts::Counted;
@@ -133,11 +135,12 @@ impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Link<T, MOMENT, TENSOR> {
     }
 }
 
-/// ω × (ω × r).
+/// ω × (ω × r) = ω (ω·r) − ω² r, whose square a link and what sits on it share.
 #[cfg_attr(optimised, inline(always))]
 pub(super) fn centripetal<T: Scalar>(spin: Triple<T>, r: Triple<T>) -> Triple<T> {
-    let o = [Number::zero(); 3];
-    cross_onto(spin, cross_onto(spin, r, o), o)
+    let (along, square) = (dot_onto(spin, r, Number::zero()), dot_onto(spin, spin, Number::zero()));
+    let [x, y, z] = scaled(spin, along);
+    [square.times_off(r[0], x), square.times_off(r[1], y), square.times_off(r[2], z)]
 }
 
 impl<T: Scalar, const MOMENT: u8, const TENSOR: u8> Solid<T> for Link<T, MOMENT, TENSOR> {
