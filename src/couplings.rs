@@ -88,8 +88,9 @@ impl<T: Scalar> Tie<T> {
 /// Couplings of a scene's joints, beside other loads.
 ///
 /// What ties two joints is a pair of forces in them, λ in the follower and −r λ in its leader, that does no work. It is a load, one that
-/// hangs on the accelerations: each sweep is made once without, and once for each coupling, for which bodies are posed already, and λ follows from what these differ by. So `K`
-/// couplings cost `K` + 1 sweeps where there was one (counted as one by [`Run`](crate::simulate::Run)), and one more in scenes whose joints stick or
+/// hangs on the accelerations: each sweep is made once without, and once for each coupling, for which bodies are posed already, and λ follows
+/// from what these differ by. So `K` couplings cost `K` + 1 sweeps where there was one (counted as one by
+/// [`Run`](crate::simulate::Run)), and one more in scenes whose joints stick or
 /// strike stops. (In scenes with vectors they allocate.) All rules know them, implicit ones too, events, dense output and readings: internal forces contain λ. Accelerations are
 /// coupled to rounding, and so are motions that begin so, for rules add multiples of accelerations up: what they miss is checked where a
 /// run begins, and not put back. Where loops close or a tip is held, couplings and closures are put back in turns, by `K` + 1 sweeps a turn, and

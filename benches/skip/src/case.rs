@@ -1,8 +1,8 @@
 //! A scene to be swept, and its size.
 
-use catena::planar::{Planar, Rk4, System, Unloaded};
+use catena::planar::{Rk4, Unloaded};
 use catena::simulate::{Method, Stepper};
-use catena::system::{Dynamics, Element, MotionOf, Position, Rate, Root, Runs, Tip};
+use catena::system::{Dynamics, Element, MotionOf, Position, Rate, Root, Runs, Space, System, Tip};
 use catena::{Error, Motion};
 use std::hint::black_box;
 
@@ -48,28 +48,30 @@ pub fn row(
 }
 
 /// A scene at one motion, under loads.
-pub struct Swept<R, C, P, L>
+pub struct Swept<S, R, C, P, L>
 where
-    R: Root<Planar<f64>>,
-    C: Element<Planar<f64>>,
-    P: Tip<Planar<f64>>,
-    System<f64, R, C, P>: Runs<L, Planar<f64>, R, C, P>,
+    S: Space<Scalar = f64>,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
 {
-    scene: System<f64, R, C, P>,
+    scene: System<S, R, C, P>,
     loads: L,
-    motion: MotionOf<Planar<f64>, R, C, P>,
-    workspace: <System<f64, R, C, P> as Dynamics<L>>::Workspace,
+    motion: MotionOf<S, R, C, P>,
+    workspace: <System<S, R, C, P> as Dynamics<L>>::Workspace,
 }
 
-impl<R, C, P, L> Swept<R, C, P, L>
+impl<S, R, C, P, L> Swept<S, R, C, P, L>
 where
-    R: Root<Planar<f64>>,
-    C: Element<Planar<f64>>,
-    P: Tip<Planar<f64>>,
-    System<f64, R, C, P>: Runs<L, Planar<f64>, R, C, P>,
+    S: Space<Scalar = f64>,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
 {
     /// Folded and turning, nothing special.
-    pub fn new(scene: System<f64, R, C, P>, loads: L) -> Self {
+    pub fn new(scene: System<S, R, C, P>, loads: L) -> Self {
         let mut motion = scene.motion();
         let (mut k, mut j) = (0.0, 0.0);
         motion.position_mut().replace(&mut |_| {
@@ -98,13 +100,14 @@ fn sweep_once<D: Dynamics<L, Scalar = f64>, L>(
     scene.accelerations(0.0, position, rate, loads, workspace, acceleration);
 }
 
-impl<R, C, P, L> Case for Swept<R, C, P, L>
+impl<S, R, C, P, L> Case for Swept<S, R, C, P, L>
 where
-    R: Root<Planar<f64>>,
-    C: Element<Planar<f64>>,
-    P: Tip<Planar<f64>>,
-    System<f64, R, C, P>: Runs<L, Planar<f64>, R, C, P>,
-    for<'s> Rk4: Method<&'s System<f64, R, C, P>, L>,
+    S: Space<Scalar = f64>,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    System<S, R, C, P>: Runs<L, S, R, C, P>,
+    for<'s> Rk4: Method<&'s System<S, R, C, P>, L>,
 {
     fn sweep(&mut self, times: usize) {
         let mut acceleration = self.motion.rate().clone();
@@ -153,19 +156,20 @@ pub fn run_row(feature: &'static str, name: &'static str, how: Run) -> Row {
 }
 
 /// Steps a scene by RK4.
-pub fn steps<R, C, P>(
-    scene: &System<f64, R, C, P>,
-    start: MotionOf<Planar<f64>, R, C, P>,
+pub fn steps<S, R, C, P>(
+    scene: &System<S, R, C, P>,
+    start: MotionOf<S, R, C, P>,
     how: Run,
     times: usize,
 ) -> Result<(), Error>
 where
-    R: Root<Planar<f64>>,
-    C: Element<Planar<f64>>,
-    P: Tip<Planar<f64>>,
-    System<f64, R, C, P>: Runs<Unloaded, Planar<f64>, R, C, P>,
-    for<'s> Rk4: Method<&'s System<f64, R, C, P>, Unloaded>,
-    Motion<f64, catena::system::PositionOf<Planar<f64>, R, C>, P::Closures>: Clone,
+    S: Space<Scalar = f64>,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
+    for<'s> Rk4: Method<&'s System<S, R, C, P>, Unloaded>,
+    Motion<f64, catena::system::PositionOf<S, R, C>, P::Closures>: Clone,
 {
     let dt = 1.0 / 65536.0;
     match how {

@@ -24,6 +24,7 @@ const TARGET: &str = if cfg!(target_feature = "fma") { "v3" } else { "default" }
 
 fn all() -> (Vec<Row>, Vec<[Row; 2]>) {
     let mut pairs = scenes::pairs();
+    pairs.extend(scenes::furniture());
     pairs.extend(scenes::least());
     (scenes::general(), pairs)
 }

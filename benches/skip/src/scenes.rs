@@ -127,6 +127,35 @@ pub fn pairs() -> Vec<[Row; 2]> {
     ]
 }
 
+/// Furniture of a robot's joints, on an arm of seven: laws that are none beside none, and reflected inertia beside none, which two instructions a joint
+/// may tell apart.
+pub fn furniture() -> Vec<[Row; 2]> {
+    use catena::robot::{Free, Hinge, Link, Quarter, System};
+    macro_rules! arm {
+        ($feature:literal, $name:literal, |$hinge:ident| $furnished:expr) => {
+            row($feature, $name, || {
+                let tensor = [[0.05, 0.002, 0.001], [0.002, 0.04, 0.003], [0.001, 0.003, 0.02]];
+                let link = Link::<f64>::general(1.3, [0.02, -0.03, 0.2], tensor);
+                let $hinge = Hinge::at::<0b100>([0.0, 0.0, 0.4]).turned(Quarter::<30>);
+                let joint = $furnished;
+                let chain = [(joint, link); 7];
+                let scene = System::new(catena::robot::Base::origin(), chain, Free)?.with_gravity([0.0, 0.0, -GRAVITY]);
+                Ok(Box::new(Swept::new(scene, Unloaded)))
+            })
+        };
+    }
+    vec![
+        [
+            arm!("laws of a robot's joint", "laws that are none", |hinge| hinge.with((Spring::none(), Spring::none()))),
+            arm!("laws of a robot's joint", "none", |hinge| hinge),
+        ],
+        [
+            arm!("armature (left in the first)", "geared", |hinge| hinge.geared(0.02)),
+            arm!("armature (left in the first)", "no armature", |hinge| hinge),
+        ],
+    ]
+}
+
 struct Plain;
 impl by_hand::Scene for Plain {}
 struct OffAxis;

@@ -26,7 +26,8 @@ pub enum Elements {
     #[default]
     Inertial,
     /// Elements of `catena::robot`, in axes of the bodies, z along each joint's axis: what is zero, and turns that are quarters, become
-    /// types. 0.30 to 0.47 of the instructions, and functions of lists.
+    /// types. 0.30 to 0.47 of the instructions, and functions of lists. Origins are anywhere on the joints' axes: the module's frames say where
+    /// links stand.
     Local,
     /// Elements of `catena::robot` with no number known to be zero: to measure by.
     LocalGeneral,

@@ -17,9 +17,7 @@ impl<T: Scalar, const N: usize> Through<T> for Angles<T, N> {
     fn axis<A: Standing<T>>(&mut self, axis: &A, (): ()) {
         let own = self.next;
         self.next += 1;
-        if const { A::AHEAD } {
-            self.list[own] = axis.angle(self.list[own]);
-        }
+        self.list[own] = axis.angle(self.list[own]);
     }
     #[inline(always)]
     fn link<B: Solid<T>>(&mut self, _: &B, (): ()) {}

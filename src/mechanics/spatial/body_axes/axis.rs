@@ -171,7 +171,8 @@ impl<T: Scalar, C: Offset<T>, const PLACE: u8, L, A, B> Axis<T, AboutZ, C, PLACE
 
 impl<T: Scalar, M: Mode, C, const PLACE: u8, L, B> Axis<T, M, C, PLACE, L, Absent, B> {
     /// With reflected inertia (kg·m², or kg of a slide): a rotor's times the square of its ratio. It counts along the coordinate alone; how a
-    /// spinning rotor turns with its parent is left out, as usual. A [`Rotor`](super::Rotor) has it.
+    /// spinning rotor turns with its parent is left out, as usual. A [`Rotor`](super::Rotor) has it. A fifth of a sweep more: what lies outboard is
+    /// then felt about the axis, too.
     pub fn geared(self, inertia: T) -> Axis<T, M, C, PLACE, L, T, B> {
         self.reflecting(inertia)
     }

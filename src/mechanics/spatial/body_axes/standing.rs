@@ -15,8 +15,6 @@ pub type Stand<T> = [T; 2];
 pub trait Standing<T: Scalar>: Copy {
     /// Whether the coordinate turns.
     const TURNS: bool;
-    /// Whether an angle is added to it.
-    const AHEAD: bool;
     /// Where the joint sits, in axes of the parent.
     fn arm(&self) -> Triple<T>;
     /// Axes of the body, while the coordinate and what is added to it are zero, in those of the parent.
@@ -148,7 +146,6 @@ impl<T: Scalar, M: Mode, C: Offset<T>, const PLACE: u8, L: SpringLaw<T>, A: Arma
     for Axis<T, M, C, PLACE, L, A, B>
 {
     const TURNS: bool = M::TURNS;
-    const AHEAD: bool = C::AHEAD;
 
     #[inline(always)]
     fn arm(&self) -> Triple<T> {

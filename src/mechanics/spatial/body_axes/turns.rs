@@ -15,8 +15,6 @@ use nalgebra::Vector3;
 pub trait Offset<T: Scalar>: Copy + Debug + 'static {
     /// Whether numbers say what it is, and not the type alone.
     const NUMBERED: bool;
-    /// Whether an angle is added to the coordinate.
-    const AHEAD: bool = false;
     /// Axes of the body in those of its parent, as columns, but for what is [added](Self::ahead) to the coordinate: the rows of that matrix.
     fn rows(&self) -> Rows<T>;
     /// An angle (rad) about the joint's own axis, to be added to its coordinate before sine and cosine are taken.
@@ -248,7 +246,6 @@ impl<T: Scalar, const KNOWN: u32> Offset<T> for Turned<T, KNOWN> {
 
 impl<T: Scalar, C: Offset<T>> Offset<T> for Ahead<T, C> {
     const NUMBERED: bool = true;
-    const AHEAD: bool = true;
 
     #[inline(always)]
     fn rows(&self) -> Rows<T> {
