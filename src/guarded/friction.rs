@@ -18,10 +18,14 @@ use crate::scalar::{Real, Scalar};
 /// mode, and are refused where a joint has come to move against that in which a run has left it: [`DryFriction`] is the smooth law for these.
 /// [`MoreauJean`] is the rule for steps of one size that do, in real time. With `.between(..)` hard stops come to it ([`BoundedCoulomb`]).
 ///
-/// Any joint with one coordinate can have such friction, in the plane, in space and of robots, and a spring, damper or law beside it. Runs over numbers
-/// with derivatives, and over lanes, are refused: changes of mode have none of these. So are equilibria and modes of vibration, for a joint
+/// Any joint with one coordinate can have such friction, in the plane, in space and of robots, and a spring, damper or law beside it. Runs over
+/// lanes are refused, for each would change modes at times of its own. So are equilibria and modes of vibration, for a joint
 /// that sticks rests anywhere within what friction holds, and mechanisms that come to rest with more such joints than they have freedoms: what
 /// each of them bears is not determined.
+///
+/// Runs over jets and dual numbers have the first derivatives of what happens, as those of [`HardStops`]. Where a joint breaks away from more
+/// friction than it slips with, accelerations jump at a time that hangs on how fast forces grow, which nothing tells: a run whose derivatives
+/// hang on that is refused there.
 ///
 /// Under error control, steps in which a joint sticks are looked at in their middle, closer where friction changes by more than a tenth of that
 /// at which the joint breaks away, and then grow no further. A load that comes and goes between two looks while all is at rest is not seen:
@@ -46,6 +50,7 @@ use crate::scalar::{Real, Scalar};
 /// [`DryFriction`]: crate::planar::DryFriction
 /// [`MoreauJean`]: crate::planar::MoreauJean
 /// [`BoundedCoulomb`]: crate::planar::BoundedCoulomb
+/// [`HardStops`]: crate::planar::HardStops
 pub type Coulomb<J, T, L = Absent> = Guarded<J, Friction<T>, L>;
 
 /// Friction while a joint slips, and at which it breaks away (N·m, N).

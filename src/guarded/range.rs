@@ -23,8 +23,13 @@ use num_traits::One;
 ///
 /// Any joint with one coordinate can have stops, in the plane, in space and of robots, and a spring, damper or law beside them; an end at infinity is
 /// none. A step of a [`Stepper`] of one's own changes no mode, and is refused where the step before has brought a joint beyond its stop: [`Stops`]
-/// is the compliant law for these, [`MoreauJean`] the rule for steps of one size that do, in real time. As data an end at infinity needs a format that has infinity; JSON has none. Runs over numbers with derivatives, and over lanes, are refused, and so are equilibria and modes of vibration. A
+/// is the compliant law for these, [`MoreauJean`] the rule for steps of one size that do, in real time. As data an end at infinity needs a format that has infinity; JSON has none. Runs over lanes are refused, and so are equilibria and modes of vibration. A
 /// joint that passes its stop and comes back within one step is not seen: [`longest_step`] is for such.
+///
+/// Runs over jets and dual numbers have the first derivatives of what happens: when a joint strikes hangs on all that is differentiated, and what
+/// that changes is added where the mode changes, exact but for the error of the step that ends there. Second derivatives past such a time are
+/// refused, steps of [`MoreauJean`], joints that are driven beside, and a start that strikes, by its distance from the stop. Where two joints
+/// strike at one instant, derivatives are those of the order in which they do; where one only just touches its stop, they grow without bound.
 ///
 /// ```
 /// use catena::planar::*;
@@ -40,6 +45,22 @@ use num_traits::One;
 /// let end = scene.simulation(Dop853::tolerance(1e-10)).run(start, 4.0 * first, |_| ())?.motion; // it rests from 3 times on
 /// assert_eq!(end.rates(), [0.0]);
 /// assert!(end.coordinates()[0].abs() < 1e-12);
+/// # Ok::<(), catena::Error>(())
+/// ```
+///
+/// How much higher it bounces from higher up, by a jet: e² times as much.
+///
+/// ```
+/// use catena::planar::*;
+/// use catena::scalar::Jet;
+/// let [zero, one] = [0.0, 1.0].map(Jet::<f64, 1>::of);
+/// let fall = HardStops::between(Slider::along(Jet::of(std::f64::consts::FRAC_PI_2)), [zero, Jet::of(f64::INFINITY)]);
+/// let chain = (fall.rebounding(Jet::of(0.5)), RigidBody::new(one, one, [zero; 2], [zero; 2]));
+/// let scene = System::new(Clamped::origin(), chain, Free)?.with_gravity(Jet::of(9.81));
+/// let mut start = scene.motion();
+/// start.set_coordinates(&[Jet::seed(1.0, 0)])?;
+/// let top = scene.simulation(Dop853::tolerance(1e-10)).run(start, 1.5 * f64::sqrt(2.0 / 9.81), |_| ())?.motion;
+/// assert!((top.coordinates()[0].eps[0] - 0.25).abs() < 1e-9);
 /// # Ok::<(), catena::Error>(())
 /// ```
 ///

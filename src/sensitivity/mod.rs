@@ -48,6 +48,12 @@
 //! [Jacobian](Differentiable::jacobian), [products with the Hessian](Differentiable::hessian_times), the linearisation of a step. It goes forward
 //! or backward, whichever costs less for so many numbers, and says which. It allocates (feature `alloc`).
 //!
+//! # Shocks and friction
+//!
+//! Where joints strike [hard stops](crate::planar::HardStops), stick and slip ([`Coulomb`](crate::planar::Coulomb)), modes change at times that hang
+//! on what is differentiated. Runs over jets and dual numbers take that into account: their derivatives are those of the motion, shocks
+//! included. They go by the rule itself, and not backward.
+//!
 //! # What does not go through gains
 //!
 //! What a rule [`through_gains`](Rule::through_gains) does not know is an error of the compiler: held tips and loops (which go

@@ -10,7 +10,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};
 use crate::mirror::Rate;
 use crate::scalar::{Elementary, Real, Scalar};
-use crate::stepper::{Stepper, modes_by_numbers};
+use crate::stepper::{Stepper, modes_of_one};
 use crate::system::Dynamics;
 use crate::system::{MotionOf, Runs, System};
 use crate::time::Control;
@@ -52,7 +52,7 @@ where
 {
     /// Refuses what makes no run, and motions of another scene; whether joints of the start were [let go](Self::accelerated).
     fn check(&mut self) -> Result<bool, Error> {
-        modes_by_numbers::<S::Scalar>(Self::MODES)?;
+        modes_of_one::<S::Scalar>(Self::MODES)?;
         if const { <E as EventFunction<Now<'a, S, R, C, P, L>, S::Scalar>>::ON || Self::KINKS > 0 } {
             of_one_number::<S::Scalar>()?;
         }

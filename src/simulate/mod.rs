@@ -8,6 +8,7 @@ mod drive;
 #[cfg(feature = "rayon")]
 mod ensemble;
 mod events;
+mod jump;
 mod kinks;
 pub(crate) mod limits;
 mod margin;

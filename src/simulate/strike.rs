@@ -1,6 +1,7 @@
 //! Shocks in a run: joints that strike their stops, and what that does to all rates.
 
 use super::drive::Running;
+use super::jump::varied;
 use super::margin::{nearness, touched};
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -18,10 +19,10 @@ const BLOWS: [usize; 2] = [256, 10_000];
 const ROUNDINGS: f64 = 64.0;
 
 /// A joint that strikes: its number, its rate, and the share of that which it gets back.
-struct Blow {
+struct Blow<T> {
     joint: usize,
-    rate: f64,
-    restitution: f64,
+    rate: T,
+    restitution: T,
 }
 
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
@@ -60,7 +61,7 @@ where
                 return self.end_rebounds();
             };
             if count >= BLOWS[0] {
-                blow.restitution = 0.0;
+                blow.restitution = S::Scalar::zero();
             }
             self.give(&blow)?;
         }
@@ -113,12 +114,20 @@ where
     }
 
     /// Changes all rates by a blow.
-    fn give(&mut self, blow: &Blow) -> Result<(), Error> {
-        let response = self.response(blow.joint)?;
-        let (next, change) = (&mut self.next, -(1.0 + blow.restitution) * blow.rate);
+    fn give(&mut self, blow: &Blow<S::Scalar>) -> Result<(), Error> {
+        let mut response = self.response(blow.joint)?;
+        let [rate, restitution] = [blow.rate, blow.restitution].map(|x| x.real().as_f64());
+        let (next, change) = (&mut self.next, -(1.0 + restitution) * rate);
         let before = next.rate.clone();
         next.rate.mix_1(&before, (RealOf::<S>::of(change), &response));
-        let (after, mut count) = (S::Scalar::literal(-blow.restitution * blow.rate), 0);
+        let (mut after, mut count) = (S::Scalar::literal(-restitution * rate), 0);
+        if const { Self::DERIVED } {
+            let returned = blow.restitution * blow.rate;
+            let change = -varied(blow.rate + returned);
+            response.replace(&mut |x| x * change);
+            next.rate.add(&response);
+            after -= varied(returned);
+        }
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |_, rate, _| {
             if count == blow.joint {
                 *rate = after; // but for rounding it is
@@ -152,7 +161,7 @@ where
     }
 
     /// The joint that moves into its stop fastest. What is `still` at its stop is put to rest.
-    fn fastest(motion: &mut MotionOf<S, R, C, P>, still: f64) -> Option<Blow> {
+    fn fastest(motion: &mut MotionOf<S, R, C, P>, still: f64) -> Option<Blow<S::Scalar>> {
         let touch = Mode::touch::<RealOf<S>>().as_f64();
         let (mut worst, mut blow, mut count) = (0.0, None, 0);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
@@ -165,23 +174,23 @@ where
             } else if speed > worst {
                 let share = told.answer.real().as_f64();
                 let rises = !is_low(share * speed, side * told.rate.real().as_f64(), touch);
-                let restitution = if rises { share } else { 0.0 };
-                (worst, blow) = (speed, Some(Blow { joint, rate: rate.real().as_f64(), restitution }));
+                let restitution = if rises { told.answer } else { S::Scalar::zero() };
+                (worst, blow) = (speed, Some(Blow { joint, rate: *rate, restitution }));
             }
         });
         blow
     }
 
     /// A joint whose rebound rises no higher than what touches, with the blow that ends it.
-    fn lowest(motion: &mut MotionOf<S, R, C, P>) -> Option<Blow> {
+    fn lowest(motion: &mut MotionOf<S, R, C, P>) -> Option<Blow<S::Scalar>> {
         let touch = Mode::touch::<RealOf<S>>().as_f64();
         let (mut blow, mut count) = (None, 0);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            let (joint, rate) = (count, rate.real().as_f64());
+            let (joint, speed) = (count, rate.real().as_f64());
             count += 1;
             let Some(side) = touched(*mode, &told) else { return };
-            if side * rate < 0.0 && is_low(rate, side * told.rate.real().as_f64(), touch) {
-                blow = Some(Blow { joint, rate, restitution: 0.0 });
+            if side * speed < 0.0 && is_low(speed, side * told.rate.real().as_f64(), touch) {
+                blow = Some(Blow { joint, rate: *rate, restitution: S::Scalar::zero() });
             }
         });
         blow

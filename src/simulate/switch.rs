@@ -1,6 +1,7 @@
 //! Which modes of joints follow where a run changes one, begins, or goes on.
 
 use super::drive::Running;
+use super::jump::Delay;
 use super::margin::{forward, margin, meets, rests, touched};
 use super::now::settled;
 use super::{EventFunction, Now};
@@ -68,6 +69,11 @@ where
     pub(super) fn switch(&mut self) -> Result<(), Error> {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
         let (earliest, mut count, mut strikes) = (Self::margins(&mut next).1, 0, false);
+        let delay = if const { Self::DERIVED } { Self::delay(&mut next, earliest)? } else { Delay::None };
+        let before = if const { Self::DERIVED } { Some(next.acceleration.clone()) } else { None };
+        if let Delay::By(delay) = delay {
+            Self::shifted(&mut next, delay);
+        }
         let still = self.still();
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
             let due = count == earliest;
@@ -86,7 +92,8 @@ where
             }
         });
         self.next = next;
-        if strikes { self.strike() } else { self.settle_modes(Some(earliest)) }
+        if strikes { self.strike() } else { self.settle_modes(Some(earliest)) }?;
+        before.map_or(Ok(()), |before| self.returned(delay, &before))
     }
 
     /// Finds modes of a motion of which only rates are known.
@@ -103,6 +110,9 @@ where
         }
         let_all_go(&mut next.position, &mut next.rate, &next.acceleration);
         self.stands_between()?;
+        if const { Self::DERIVED } {
+            self.strikes_surely()?;
+        }
         self.strike()
     }
 

@@ -73,9 +73,15 @@ fn moves_as_modes_say<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut Motio
     if against { Err(Error::new(Fault::Unsupported { what }).at_time(past.time.as_f64())) } else { Ok(()) }
 }
 
+/// Refuses scenes with joints that have modes over lanes, each of which would have changes of mode of its own.
+pub(crate) fn modes_of_one<T: Scalar>(modes: bool) -> Result<(), Error> {
+    let what = "lanes of a run in which joints stick and slip or strike stops";
+    if modes && T::LANES { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
+}
+
 /// Refuses scenes with joints that have modes over numbers whose derivatives or lanes would have changes of mode of their own.
 pub(crate) fn modes_by_numbers<T: Scalar>(modes: bool) -> Result<(), Error> {
-    let what = "derivatives or lanes of a run in which joints stick and slip or strike stops";
+    let what = "derivatives or lanes of a run in steps that change modes within";
     let several = modes && size_of::<T>() > size_of::<T::Real>();
     if several { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
 }

@@ -365,13 +365,16 @@ fn what_makes_no_run_with_stops_is_refused() -> Result<(), Error> {
         }
     }
     assert!(matches!(refused, Some(Fault::Unsupported { what }) if what.contains("beyond its stop")), "{refused:?}");
-    // Derivatives, equilibria.
+    // Derivatives in steps that change modes within, equilibria.
     let one = Jet::<f64, 1>::seed(1.0, 0);
     let stop = HardStops::between(Slider::along(Jet::of(0.0)), [Jet::of(0.0), one]);
     let body = RigidBody::new(one, one, [Jet::of(0.0); 2], [Jet::of(0.0); 2]);
     let jets = System::new(Clamped::origin(), (stop, body), Free)?;
-    let refused =
-        jets.simulation(Rk4::step(0.1)).run(jets.motion(), 1.0, |_| ()).map(|_| ()).map_err(|end| end.error.fault);
+    let refused = jets
+        .simulation(MoreauJean::step(0.1))
+        .run(jets.motion(), 1.0, |_| ())
+        .map(|_| ())
+        .map_err(|end| end.error.fault);
     assert!(matches!(refused, Err(Fault::Unsupported { what }) if what.contains("derivatives")));
     let rest = scene.equilibrium(scene.motion(), &Unloaded).map(|_| ()).map_err(|error| error.fault);
     assert!(matches!(rest, Err(Fault::Unsupported { .. })));

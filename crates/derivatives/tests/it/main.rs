@@ -1,6 +1,7 @@
 //! Derivatives of runs beyond first gradients, and of many scenes at random.
 
 mod at_random;
+mod changes_of_mode;
 mod dense;
 mod drag;
 mod front;

@@ -1,0 +1,254 @@
+//! Derivatives of runs whose joints strike stops, stick and slip: against closed forms over the same numbers, against differences of runs, and
+//! what has none.
+
+use catena::num_dual::Dual64;
+use catena::planar::*;
+use catena::scalar::{Elementary, Jet, Scalar};
+use catena::{Error, Fault, spatial};
+use catena_oracle::near;
+use std::f64::consts::{FRAC_PI_2, PI};
+
+/// Compares numbers and their derivatives, these relative to the largest of one and themselves.
+fn agree<const K: usize>(found: Jet<f64, K>, expected: Jet<f64, K>, bound: f64) {
+    near(found.re, expected.re, bound);
+    for (found, expected) in found.eps.iter().zip(&expected.eps) {
+        near(*found, *expected, bound * (1.0 + expected.abs()));
+    }
+}
+
+/// Height and rate of what falls from a height and gives back a share of its speed, after a time.
+fn bounced<T: Scalar<Real = f64>>(height: T, restitution: T, gravity: T, time: f64) -> [T; 2] {
+    let half = T::literal(0.5);
+    let first = ((height + height) / gravity).sqrt();
+    if time < first.real() {
+        return [height - half * gravity * T::literal(time * time), -gravity * T::literal(time)];
+    }
+    let (mut left, mut speed) = (T::literal(time) - first, restitution * gravity * first);
+    while left.real() > 2.0 * speed.real() / gravity.real() {
+        left -= (speed + speed) / gravity;
+        speed *= restitution;
+    }
+    [speed * left - half * gravity * left * left, speed - gravity * left]
+}
+
+#[test]
+fn a_block_that_bounces() -> Result<(), Error> {
+    type T = Jet<f64, 3>;
+    let [height, restitution, gravity] = [T::seed(1.0, 0), T::seed(0.7, 1), T::seed(9.81, 2)];
+    let block = RigidBody::new(T::of(2.0), T::of(0.1), [T::of(0.0); 2], [T::of(0.0); 2]);
+    let range = [T::of(0.0), T::of(f64::INFINITY)];
+    let fall = HardStops::between(Slider::along(T::of(FRAC_PI_2)), range).rebounding(restitution);
+    let scene = System::new(Clamped::origin(), (fall, block), Free)?.with_gravity(gravity);
+    let mut start = scene.motion();
+    start.set_coordinates(&[height])?;
+    macro_rules! runs {
+        ($($rule:expr, $bound:expr);*) => {$(
+            for time in [0.3, 0.6, 1.3, 1.9] {
+                let end = scene.simulation($rule).run(start, time, |_| ())?.motion;
+                let [place, rate] = bounced(height, restitution, gravity, time);
+                agree(end.coordinates()[0], place, $bound);
+                agree(end.rates()[0], rate, $bound);
+            }
+        )*};
+    }
+    runs!(Rk4::step(0.02), 1e-11; Dop853::tolerance(1e-10), 1e-11; Dopri5::step(0.01), 1e-11; Sdirk4::new().step(0.02), 1e-11);
+    runs!(Adams::step(0.01), 1e-11; Vcabm::new().tolerance(1e-10), 1e-11; GeneralizedAlpha::new(0.8).step(0.01), 1e-11);
+    // At rest on its stop nothing hangs on anything but where that is.
+    let end = scene.simulation(Dop853::tolerance(1e-10)).run(start, 4.0, |_| ())?.motion;
+    agree(end.coordinates()[0], T::of(0.0), 1e-12);
+    agree(end.rates()[0], T::of(0.0), 1e-12);
+    Ok(())
+}
+
+#[test]
+fn stops_move_with_their_numbers() -> Result<(), Error> {
+    // A stop at a height: what rests there goes with it, and what has bounced, too.
+    let (stop, tall) = (Dual64::from(0.2).derivative(), Dual64::from(1.0));
+    let zero = Dual64::from(0.0);
+    let block = RigidBody::new(tall, tall, [zero; 2], [zero; 2]);
+    let fall = HardStops::between(Slider::along(Dual64::from(FRAC_PI_2)), [stop, Dual64::from(f64::INFINITY)]);
+    let scene = System::new(Clamped::origin(), (fall.rebounding(Dual64::from(0.5)), block), Free)?;
+    let scene = scene.with_gravity(Dual64::from(9.81));
+    let mut start = scene.motion();
+    start.set_coordinates(&[tall])?;
+    for time in [0.6, 0.8, 3.0] {
+        let end = scene.simulation(Dop853::tolerance(1e-10)).run(start, time, |_| ())?.motion;
+        let [place, rate] = bounced(tall - stop, Dual64::from(0.5), Dual64::from(9.81), time.min(1.2));
+        let (found, turned) = (end.coordinates()[0], end.rates()[0]);
+        let [place, rate] = if time > 2.0 { [stop, zero] } else { [place + stop, rate] };
+        near(found.re, place.re, 1e-11);
+        near(found.eps, place.eps, 1e-11);
+        near(turned.re, rate.re, 1e-11);
+        near(turned.eps, rate.eps, 1e-11);
+    }
+    Ok(())
+}
+
+#[test]
+fn a_block_on_a_spring_that_rubs() -> Result<(), Error> {
+    // Half a period at a time, about a place that friction moves; each half ends 2 F / k nearer.
+    type T = Jet<f64, 4>;
+    let [mass, stiffness, friction, reach] = [T::seed(2.0, 0), T::seed(50.0, 1), T::seed(1.5, 2), T::seed(0.5, 3)];
+    let block = RigidBody::new(mass, T::of(0.1), [T::of(0.0); 2], [T::of(0.0); 2]);
+    let track = Coulomb::new(Slider::along(T::of(0.0)), friction).with(Spring::new(stiffness));
+    let scene = System::new(Clamped::origin(), (track, block), Free)?;
+    let mut start = scene.motion();
+    start.set_coordinates(&[reach])?;
+    let frequency = (stiffness / mass).sqrt();
+    let place = |time: f64| {
+        let (shift, mut left, mut from) = (friction / stiffness, T::of(time), reach);
+        let half = T::of(PI) / frequency;
+        while left.re > half.re && from.re.abs() > shift.re {
+            let about = shift * T::of(from.re.signum());
+            (from, left) = (about + about - from, left - half);
+        }
+        let about = shift * T::of(from.re.signum());
+        let still = from.re.abs() <= shift.re;
+        if still { from } else { about + (from - about) * (frequency * left).sin_cos().1 }
+    };
+    for time in [0.2, 0.5, 0.9, 1.4, 2.0, 2.5, 6.0] {
+        for (end, bound) in [
+            (scene.simulation(Dop853::tolerance(1e-12)).run(start, time, |_| ())?.motion, 1e-9),
+            (scene.simulation(Rk4::step(1e-3)).run(start, time, |_| ())?.motion, 1e-8),
+            (scene.simulation(Vcabm::new().tolerance(1e-12)).run(start, time, |_| ())?.motion, 1e-8),
+        ] {
+            agree(end.coordinates()[0], place(time), bound);
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn a_block_that_breaks_away_under_a_growing_force() -> Result<(), Error> {
+    type T = Jet<f64, 3>;
+    let [mass, friction, growth] = [T::seed(2.0, 0), T::seed(3.0, 1), T::seed(5.0, 2)];
+    let scene = |breaking: T| {
+        let block = RigidBody::new(mass, T::of(0.1), [T::of(0.0); 2], [T::of(0.0); 2]);
+        let track = Coulomb::new(Slider::along(T::of(0.0)), friction).breaking_away(breaking);
+        System::new(Clamped::origin(), (track, block), Free)
+    };
+    let pull = |time: f64, joint: usize, _: &JointMotion<T>| if joint == 1 { growth * T::of(time) } else { T::of(0.0) };
+    let (plain, loads) = (scene(friction)?, Loads::none().in_joints(pull));
+    let end = plain.simulation(Dop853::tolerance(1e-11)).loads(&loads).run(plain.motion(), 1.5, |_| ())?.motion;
+    // It goes once the force is as large as friction: m q̈ = g (t − F / g).
+    let later = T::of(1.5) - friction / growth;
+    agree(end.coordinates()[0], growth * later * later * later / (mass * T::of(6.0)), 1e-9);
+    // Where it would jump, when it does so hangs on how fast the force grows, which nothing tells.
+    let jumps = scene(friction * T::of(1.2))?;
+    let run = jumps.simulation(Dop853::tolerance(1e-11)).loads(&loads).run(jumps.motion(), 1.5, |_| ());
+    let fault = run.expect_err("a jump").error.fault;
+    assert!(matches!(fault, Fault::Unsupported { what } if what.contains("breaks away")), "{fault}");
+    Ok(())
+}
+
+#[test]
+fn a_drawer_that_rubs_and_strikes() -> Result<(), Error> {
+    type T = Jet<f64, 4>;
+    let [mass, friction, speed, restitution] = [T::seed(2.0, 0), T::seed(4.0, 1), T::seed(2.0, 2), T::seed(0.5, 3)];
+    let rail = Coulomb::new(Slider::along(T::of(0.0)), friction).between([T::of(0.0), T::of(0.4)]);
+    let drawer = RigidBody::new(mass, T::of(0.1), [T::of(0.0); 2], [T::of(0.0); 2]);
+    let scene = System::new(Clamped::origin(), (rail.rebounding(restitution), drawer), Free)?;
+    let mut start = scene.with_rates(scene.motion(), &[-speed])?;
+    start.set_coordinates(&[T::of(0.3)])?;
+    let end = scene.simulation(Dop853::tolerance(1e-10)).run(start, 2.0, |_| ())?.motion;
+    let slowed = friction / mass;
+    let arrives = speed * speed - slowed * T::of(0.6);
+    agree(end.coordinates()[0], restitution * restitution * arrives / (slowed + slowed), 1e-11);
+    agree(end.rates()[0], T::of(0.0), 1e-12);
+    Ok(())
+}
+
+/// The last coordinates of a scene by a number, over plain numbers and over jets, agree in differences.
+macro_rules! by_differences {
+    ($bound:expr, [$($at:expr),*], |$x:ident, $T:ident| $run:expr) => {{
+        fn plain($x: f64) -> Result<Vec<f64>, Error> {
+            #[allow(dead_code)]
+            type $T = f64;
+            $run
+        }
+        fn derived($x: Jet<f64, 1>) -> Result<Vec<Jet<f64, 1>>, Error> {
+            #[allow(dead_code)]
+            type $T = Jet<f64, 1>;
+            $run
+        }
+        for at in [$($at),*] {
+            let by = 1e-5;
+            let (found, [above, below]) = (derived(Jet::seed(at, 0))?, [plain(at + by)?, plain(at - by)?]);
+            for (k, found) in found.iter().enumerate() {
+                let expected = (above[k] - below[k]) / (2.0 * by);
+                near(found.eps[0], expected, $bound * (1.0 + expected.abs()));
+            }
+        }
+    }};
+}
+
+#[test]
+fn a_double_pendulum_that_bounces() -> Result<(), Error> {
+    // By a length, over seven shocks or so; motions jump for all joints.
+    by_differences!(1e-6, [0.8, 1.0, 1.1], |length, T| {
+        let of = <T as Scalar>::literal;
+        let rod = Rod::uniform(length, of(1.0));
+        let elbow = HardStops::between(Revolute::smooth(), [of(0.0), of(FRAC_PI_2)]).rebounding(of(0.8));
+        let whole = System::new(Pinned::origin(), (rod, elbow, rod), Free)?.with_gravity(of(9.81));
+        let start = whole.at_rest(&[of(-0.2), of(0.7)])?;
+        let end = whole.simulation(Dop853::tolerance(1e-13)).run(start, 2.0, |_| ())?.motion;
+        Ok(end.coordinates().into_iter().chain(end.rates()).collect())
+    });
+    Ok(())
+}
+
+#[test]
+fn arms_in_space_that_bounce_and_stick() -> Result<(), Error> {
+    use spatial::{Ball, Coulomb, Free, HardStops, Pinned, Revolute, RigidBody, System};
+    // A shoulder that is free, an elbow between stops, a wrist that rubs.
+    by_differences!(1e-6, [0.9, 1.2], |mass, T| {
+        let of = <T as Scalar>::literal;
+        let zero = of(0.0);
+        let tensor = [[of(0.02), zero, zero], [zero, of(0.03), zero], [zero, zero, of(0.01)]];
+        let body = RigidBody::new(mass, tensor, [zero, zero, of(-0.2)], [zero, zero, of(-0.4)]);
+        let elbow = HardStops::between(Revolute::about([of(1.0), zero, zero]), [of(-0.3), of(0.5)]).rebounding(of(0.6));
+        let wrist = Coulomb::new(Revolute::about([zero, of(1.0), zero]), of(0.1));
+        let scene = System::new(Pinned::origin(), (body, elbow, body, wrist, body, Ball, body), Free)?;
+        let scene = scene.with_gravity([zero, zero, of(-9.81)]);
+        let rates = [0.3, 0.5, 0.2, 2.0, 1.5, 0.1, 0.2, 0.3].map(of);
+        let start = scene.with_rates(scene.motion(), &rates)?;
+        let end = scene.simulation(Dop853::tolerance(1e-13)).run(start, 0.8, |_| ())?.motion;
+        let mut found: Vec<T> = vec![];
+        for body in scene.body_motions(&end)?.iter() {
+            let place = body.centre().place;
+            found.extend([place.x, place.y, place.z]);
+        }
+        Ok(found)
+    });
+    Ok(())
+}
+
+#[test]
+fn what_has_no_derivative_is_refused() -> Result<(), Error> {
+    type T = Jet<f64, 1>;
+    let [zero, one] = [T::of(0.0), T::of(1.0)];
+    let body = |mass: T| RigidBody::new(mass, one, [zero; 2], [zero; 2]);
+    let stop = |range| HardStops::between(Slider::along(T::of(FRAC_PI_2)), range);
+    let far = T::of(f64::INFINITY);
+    // A start that strikes, by where it is.
+    let scene = System::new(Clamped::origin(), (stop([zero, far]), body(one)), Free)?;
+    let falling = scene.with_rates(scene.motion(), &[-one])?;
+    let mut varied = falling;
+    varied.set_coordinates(&[T::seed(0.0, 0)])?;
+    let fault = scene.simulation(Rk4::step(0.1)).run(varied, 1.0, |_| ()).expect_err("a start").error.fault;
+    assert!(matches!(fault, Fault::Unsupported { what } if what.contains("begins where it strikes")), "{fault}");
+    scene.simulation(Rk4::step(0.1)).run(falling, 1.0, |_| ())?;
+    // Second derivatives, where a time hangs on what is differentiated; elsewhere not.
+    type Second = Jet<Jet<f64, 1>, 1>;
+    let of = |x: f64| Second::of(T::of(x));
+    let body = RigidBody::new(of(1.0), of(1.0), [of(0.0); 2], [of(0.0); 2]);
+    let fall = HardStops::between(Slider::along(of(FRAC_PI_2)), [of(0.0), of(f64::INFINITY)]);
+    let scene = System::new(Clamped::origin(), (fall, body), Free)?.with_gravity(of(9.81));
+    let mut start = scene.motion();
+    start.set_coordinates(&[of(1.0)])?;
+    scene.simulation(Rk4::step(0.1)).run(start, 1.0, |_| ())?;
+    start.set_coordinates(&[Second::seed(Jet::seed(1.0, 0), 0)])?;
+    let fault = scene.simulation(Rk4::step(0.1)).run(start, 1.0, |_| ()).expect_err("second").error.fault;
+    assert!(matches!(fault, Fault::Unsupported { what } if what.contains("above the first")), "{fault}");
+    Ok(())
+}
