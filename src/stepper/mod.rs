@@ -79,13 +79,6 @@ pub(crate) fn modes_of_one<T: Scalar>(modes: bool) -> Result<(), Error> {
     if modes && T::LANES { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
 }
 
-/// Refuses scenes with joints that have modes over numbers whose derivatives or lanes would have changes of mode of their own.
-pub(crate) fn modes_by_numbers<T: Scalar>(modes: bool) -> Result<(), Error> {
-    let what = "derivatives or lanes of a run in steps that change modes within";
-    let several = modes && size_of::<T>() > size_of::<T::Real>();
-    if several { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
-}
-
 /// Modes that do not belong together, at a joint of those with modes.
 pub(crate) fn inconsistent<R: Real>(joint: usize, time: R) -> Error {
     let cause = Cause::Modes { joint };

@@ -2,7 +2,7 @@
 
 mod pivoting;
 
-use super::{Method, MotionIn, Stepper, TimeIn, check, inconsistent, modes_by_numbers, of_prediction};
+use super::{Method, MotionIn, Stepper, TimeIn, check, inconsistent, modes_of_one, of_prediction};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
@@ -25,6 +25,8 @@ pub struct MoreauJeanStepper<D: StiffDynamics<L>, L> {
     free: (D::Position, D::Rate),
     still: MotionIn<D, L>,
     zero: D::Rate,
+    /// Whether there are joints with hard stops.
+    stops: bool,
     sweeps: usize,
 }
 
@@ -32,8 +34,9 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for MoreauJean {
     type Stepper = MoreauJeanStepper<D, L>;
 
     fn stepper(&self, scene: D) -> MoreauJeanStepper<D, L> {
-        let still = scene.still();
-        let zero = still.rate.clone();
+        let mut still = scene.still();
+        let (zero, mut stops) = (still.rate.clone(), false);
+        still.position.each_mode(&mut still.rate, &zero, &mut |_, _, told| stops |= told.stops);
         let stiff = scene.stiff_workspace();
         MoreauJeanStepper {
             workspace: scene.workspace(),
@@ -42,6 +45,7 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for MoreauJean {
             free: (still.position.clone(), zero.clone()),
             still,
             zero,
+            stops,
             scene,
             sweeps: 0,
         }
@@ -112,7 +116,11 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for MoreauJeanStepper<D, L> {
 
     fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         check::<D, L>(&self.still, past, next, dt)?;
-        modes_by_numbers::<D::Scalar>(D::Position::MODES)?;
+        modes_of_one::<D::Scalar>(D::Position::MODES)?;
+        if self.stops && size_of::<D::Scalar>() > size_of::<TimeIn<D, L>>() {
+            let what = "derivatives of steps across shocks, which do not tend to those of the motion: runs with events have these";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
         self.scene.admits(loads)
     }
 

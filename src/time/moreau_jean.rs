@@ -30,8 +30,13 @@ use super::{Control, Rule};
 /// energy by up to 9 % of what swings it over in 10 s; a bounce at 1 ms by some 2 mm. A humanoid of 29 joints with contacts takes a fifteenth
 /// of the time of [`Sdirk4`](super::Sdirk4) a step: 12 µs for 1 ms. For digits take rules of higher order, which end steps at events.
 ///
-/// Steps by a [`Stepper`](crate::simulate::Stepper) of one's own do the same as those of runs. Dense output is a shorter step. Over numbers with
-/// derivatives, and over lanes, it steps scenes without such joints; gradients backward do not go through it.
+/// Steps by a [`Stepper`](crate::simulate::Stepper) of one's own do the same as those of runs. Dense output is a shorter step. Over lanes
+/// it steps scenes without such joints, and gradients backward do not go through it.
+///
+/// Over jets and dual numbers derivatives, of any order, are those of the steps as they are computed. With friction these tend to those of the motion. Across
+/// shocks they would not, for when a joint strikes hangs on all that is differentiated, and steps do not: a block that falls 1 m and gives
+/// back 0.7 of its speed would be 1 m higher after 0.7 s for each metre that it falls from higher up, in steps however short, where it is 0.24. So joints
+/// with hard stops are refused; runs with events, by any other rule, have their derivatives.
 ///
 /// ```
 /// use catena::planar::*;

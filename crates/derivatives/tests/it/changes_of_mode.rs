@@ -5,7 +5,7 @@ use catena::num_dual::Dual64;
 use catena::planar::*;
 use catena::scalar::{Elementary, Jet, Scalar};
 use catena::{Error, Fault, spatial};
-use catena_oracle::near;
+use catena_oracle::{has_order, near};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Compares numbers and their derivatives, these relative to the largest of one and themselves.
@@ -224,6 +224,43 @@ fn arms_in_space_that_bounce_and_stick() -> Result<(), Error> {
 }
 
 #[test]
+fn steps_that_change_modes_within() -> Result<(), Error> {
+    // Derivatives are those of the steps, and tend to those of the motion.
+    type T = Jet<f64, 3>;
+    let [mass, friction, speed] = [T::seed(2.0, 0), T::seed(3.0, 1), T::seed(2.0, 2)];
+    let block = RigidBody::new(mass, T::of(0.1), [T::of(0.0); 2], [T::of(0.0); 2]);
+    let scene = System::new(Clamped::origin(), (Coulomb::new(Slider::along(T::of(0.0)), friction), block), Free)?;
+    let start = scene.with_rates(scene.motion(), &[speed])?;
+    let way = speed * speed * mass / (friction + friction);
+    let mut errors = vec![];
+    for step in [4e-3, 2e-3, 1e-3] {
+        let end = scene.simulation(MoreauJean::step(step)).run(start, 2.0, |_| ())?.motion;
+        let missed = end.coordinates()[0] - way;
+        errors.push((step, missed.eps.iter().fold(missed.re.abs(), |most, x| most.max(x.abs()))));
+        assert_eq!(end.rates(), [T::of(0.0)]);
+    }
+    has_order("derivatives of a halt", 1.0, 1e-15, &errors);
+    // An arm that rubs in its elbow, sticks there and slips again.
+    macro_rules! arm {
+        ($T:ident, $length:expr) => {{
+            let of = <$T as Scalar>::literal;
+            let rod = Rod::uniform($length, of(1.0));
+            let chain = (rod, Coulomb::new(Revolute::smooth(), of(1.5)), rod);
+            let arm = System::new(Pinned::origin(), chain, Free)?.with_gravity(of(9.81));
+            let end = arm.simulation(MoreauJean::step(1e-3)).run(arm.at_rest(&[of(-0.2), of(0.7)])?, 1.5, |_| ())?;
+            [end.motion.coordinates()[0], end.motion.coordinates()[1]]
+        }};
+    }
+    type One = Jet<f64, 1>;
+    let by = 1e-6;
+    let (found, [above, below]) = (arm!(One, One::seed(1.0, 0)), [arm!(f64, 1.0 + by), arm!(f64, 1.0 - by)]);
+    for k in 0..2 {
+        near(found[k].eps[0], (above[k] - below[k]) / (2.0 * by), 1e-6);
+    }
+    Ok(())
+}
+
+#[test]
 fn what_has_no_derivative_is_refused() -> Result<(), Error> {
     type T = Jet<f64, 1>;
     let [zero, one] = [T::of(0.0), T::of(1.0)];
@@ -237,6 +274,9 @@ fn what_has_no_derivative_is_refused() -> Result<(), Error> {
     varied.set_coordinates(&[T::seed(0.0, 0)])?;
     let fault = scene.simulation(Rk4::step(0.1)).run(varied, 1.0, |_| ()).expect_err("a start").error.fault;
     assert!(matches!(fault, Fault::Unsupported { what } if what.contains("begins where it strikes")), "{fault}");
+    // Steps across shocks.
+    let fault = scene.simulation(MoreauJean::step(0.1)).run(falling, 1.0, |_| ()).expect_err("shocks").error.fault;
+    assert!(matches!(fault, Fault::Unsupported { what } if what.contains("across shocks")), "{fault}");
     scene.simulation(Rk4::step(0.1)).run(falling, 1.0, |_| ())?;
     // Second derivatives, where a time hangs on what is differentiated; elsewhere not.
     type Second = Jet<Jet<f64, 1>, 1>;
