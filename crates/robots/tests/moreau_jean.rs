@@ -374,7 +374,8 @@ fn a_quadruped_comes_to_stand_with_joints_that_stick() -> Result<(), Error> {
 #[test]
 fn what_makes_no_step_is_refused() -> Result<(), Error> {
     let body = RigidBody::new(Jet::<f64, 1>::seed(1.0, 0), Jet::of(0.1), [Jet::of(0.0); 2], [Jet::of(0.0); 2]);
-    let scene = System::new(Clamped::origin(), (Coulomb::new(Slider::along(Jet::of(0.0)), Jet::of(1.0)), body), Free)?;
+    let stop = HardStops::between(Slider::along(Jet::of(0.0)), [Jet::of(-1.0), Jet::of(1.0)]);
+    let scene = System::new(Clamped::origin(), (stop, body), Free)?;
     let (start, mut next) = (scene.motion(), scene.motion());
     let refused = scene.stepper(MoreauJean).step(&start, &Unloaded, 0.1, &mut next).expect_err("derivatives");
     assert!(matches!(refused.fault, Fault::Unsupported { what } if what.contains("derivatives")));
