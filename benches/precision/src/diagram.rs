@@ -54,11 +54,12 @@ fn colour(series: &Series) -> RGBAColor {
         ("Adams", "fixed") => RGBColor(190, 190, 120),
         ("Adams", _) => RGBColor(130, 130, 40),
         ("Vcabm", _) => RGBColor(120, 60, 160),
-        ("Taylor 16", _) => RGBColor(200, 0, 60),
+        ("Taylor 24", _) => RGBColor(200, 0, 60),
         ("generalised-alpha", "fixed") => RGBColor(170, 170, 170),
         ("generalised-alpha", _) => RGBColor(100, 100, 100),
         ("SDIRK4", "fixed") => RGBColor(150, 210, 170),
         ("Auto", _) => RGBColor(30, 30, 90),
+        ("AutoTaylor 24", _) => RGBColor(230, 110, 150),
         _ => RGBColor(40, 140, 80),
     };
     let lower = series.rival.is_some() && ["RK4", "RK44", "runge_kutta3"].contains(&series.rule.as_str());

@@ -55,6 +55,7 @@ macro_rules! run_rules {
         $( $crate::run_rules!(@ $taylor add, tolerances); )?
     }};
     (@ taylor $add:ident, $tolerances:ident) => {
-        $add!("Taylor 16" "controlled", $tolerances, Taylor::<16>::tolerance);
+        $add!("Taylor 24" "controlled", $tolerances, Taylor::<24>::tolerance);
+        $add!("AutoTaylor 24" "controlled", $tolerances, AutoTaylor::<24>::tolerance);
     };
 }

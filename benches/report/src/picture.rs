@@ -11,7 +11,7 @@ const SCENES: [[&str; 2]; 3] = [
 ];
 /// Rules by name and control, what they are called, and their colours.
 const RULES: [[&str; 4]; 8] = [
-    ["Taylor 16", "controlled", "Taylor, order 16", "#c8003c"],
+    ["Taylor 24", "controlled", "Taylor, order to 24", "#c8003c"],
     ["Vcabm", "controlled", "Vcabm", "#783ca0"],
     ["DOP853", "controlled", "Dop853", "#d65412"],
     ["DOPRI5", "controlled", "Dopri5", "#0062a5"],

@@ -54,9 +54,17 @@ macro_rules! balls {
 macro_rules! run_balls {
     ($scene:ident, $T:ident, $n:literal, $unit:expr, $finest:expr) => {{
         let (system, start) = balls!($T, $n);
-        run_rules!($scene, $T, $unit, $finest, (system, start, Unloaded), |system, motion| {
-            system.body_motions(motion).ok()?.iter().last().map(|body| body.outboard().place.y.real().as_f64())
-        });
+        run_rules!(
+            $scene,
+            $T,
+            $unit,
+            $finest,
+            (system, start, Unloaded),
+            |system, motion| {
+                system.body_motions(motion).ok()?.iter().last().map(|body| body.outboard().place.y.real().as_f64())
+            },
+            taylor
+        );
     }};
 }
 

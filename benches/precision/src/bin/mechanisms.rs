@@ -51,26 +51,40 @@ macro_rules! arm {
 }
 
 macro_rules! both {
-    ($name:literal, $bodies:literal, $end:literal, $make:ident, $unit:expr, $whose:literal, |$own:ident, $motion:ident| $read:expr) => {
+    ($name:literal, $bodies:literal, $end:literal, $make:ident, $unit:expr, $whose:literal, |$own:ident, $motion:ident| $read:expr $(, $taylor:ident)?) => {
         if is_wanted($name) {
             let (system, start, loads) = $make!(f64);
             let reference = reference!($name, $end, (system, start, loads), |$own, $motion| $read);
             let mut scene = Scene::new($name, $bodies, $end, reference, $whose);
-            run_rules!(scene, f64, $unit, 1e-13, (system, start, loads), |$own, $motion| $read);
+            run_rules!(scene, f64, $unit, 1e-13, (system, start, loads), |$own, $motion| $read $(, $taylor)?);
             let (system, start, loads) = $make!(f32);
-            run_rules!(scene, f32, $unit, 1e-7, (system, start, loads), |$own, $motion| $read);
+            run_rules!(scene, f32, $unit, 1e-7, (system, start, loads), |$own, $motion| $read $(, $taylor)?);
             scene.finish()?;
         }
     };
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
-    both!("heavy top", 1, 1.0, top, 0.002, "m", |system, motion| {
-        system.body_motions(motion).ok()?.get(0).map(|body| body.centre().place.x.as_f64())
-    });
-    both!("four-bar", 3, 2.0, bars, 0.02, "rad", |system, motion| {
-        system.angles(motion).ok()?.get(2).map(|angle| angle.as_f64())
-    });
+    both!(
+        "heavy top",
+        1,
+        1.0,
+        top,
+        0.002,
+        "m",
+        |system, motion| { system.body_motions(motion).ok()?.get(0).map(|body| body.centre().place.x.as_f64()) },
+        taylor
+    );
+    both!(
+        "four-bar",
+        3,
+        2.0,
+        bars,
+        0.02,
+        "rad",
+        |system, motion| { system.angles(motion).ok()?.get(2).map(|angle| angle.as_f64()) },
+        taylor
+    );
     both!("arm of seven joints", 7, 1.0, arm, 0.01, "rad", |system, motion| {
         let joint = system.joint(7).ok()?;
         motion.coordinates_of::<1>(joint).ok().map(|[angle]| angle.as_f64())

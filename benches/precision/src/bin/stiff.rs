@@ -39,11 +39,11 @@ macro_rules! both {
             let mut scene = Scene::new($name, $bodies, $end, reference, "rad");
             run_rules!(scene, f64, $unit, 1e-13, (system, start, Unloaded), |system, motion| {
                 system.angles(motion).ok()?.iter().last().copied()
-            });
+            }, taylor);
             let (system, start) = $make!(f32 $(, $more)?);
             run_rules!(scene, f32, $unit, 1e-7, (system, start, Unloaded), |system, motion| {
                 system.angles(motion).ok()?.iter().last().map(|angle| angle.as_f64())
-            });
+            }, taylor);
             scene.finish()?;
         }
     };
