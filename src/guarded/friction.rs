@@ -24,8 +24,8 @@ use crate::scalar::{Real, Scalar};
 /// each of them bears is not determined.
 ///
 /// Runs over jets and dual numbers have the first derivatives of what happens, as those of [`HardStops`]. Where a joint breaks away from more
-/// friction than it slips with, accelerations jump at a time that hangs on how fast forces grow, which nothing tells: a run whose derivatives
-/// hang on that is refused there.
+/// friction than it slips with, accelerations jump at a time that hangs on how fast forces grow: that is taken from how they have grown within the step,
+/// to order four in its size, and a run whose derivatives hang on it is refused where they have hardly grown.
 ///
 /// Under error control, steps in which a joint sticks are looked at in their middle, closer where friction changes by more than a tenth of that
 /// at which the joint breaks away, and then grow no further. A load that comes and goes between two looks while all is at rest is not seen:

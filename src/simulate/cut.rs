@@ -1,9 +1,11 @@
 //! Where a mode of a joint changes within a step, which ends there.
 
+use super::accept::Taken;
 use super::crossing::crossing;
 use super::drive::Running;
 use super::margin::{margin, nearness};
 use super::now::settled;
+use super::shown::Shown;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -13,6 +15,7 @@ use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{MotionOf, RateOf, Runs, System};
 use crate::time::Control;
+use num_traits::Zero;
 
 /// Halvings of a step in which a joint moves on before it comes to rest.
 const HALVINGS: i32 = 40;
@@ -114,6 +117,49 @@ where
     fn made_anew(&mut self, memory: &K::Memory, size: RealOf<S>, share: f64) -> Result<f64, Error> {
         self.make_anew(memory, size * RealOf::<S>::of(share))?;
         Ok(self.margin_ahead())
+    }
+
+    /// The next step that is accepted, and its size (s) where it ends because a mode changes. What holds a joint may be used up, but for rounding,
+    /// where the step before has ended: then its mode changes where this one begins.
+    pub(super) fn cut_short(&mut self) -> Result<(Taken<RealOf<S>>, Option<RealOf<S>>), Error> {
+        let taken = self.accepted()?;
+        if const { !Self::CUTS } {
+            return Ok((taken, None));
+        }
+        match self.cut(taken.size) {
+            Err(error) => {
+                if !self.lets_go(taken.size)? {
+                    return Err(error);
+                }
+                let taken = self.accepted()?;
+                Ok((taken, self.cut(taken.size)?))
+            }
+            cut => cut.map(|cut| (taken, cut)),
+        }
+    }
+
+    /// Changes the mode of a joint that does not move although nothing holds it where a step of a size (s) begins; whether there is one.
+    fn lets_go(&mut self, size: RealOf<S>) -> Result<bool, Error> {
+        let (margin, least) = Self::margins(&mut self.past);
+        let (mut locked, mut count) = (false, 0);
+        self.past.position.each_mode(&mut self.past.rate, &self.past.acceleration, &mut |mode, _, _| {
+            locked |= count == least && mode.is_locked();
+            count += 1;
+        });
+        if !locked || margin > 0.0 {
+            return Ok(false);
+        }
+        let mut pace = RealOf::<S>::zero();
+        if const { Self::DERIVED } {
+            let memory = self.stepper.memory();
+            self.make_anew(&memory, size)?;
+            pace = self.pace(least, -size);
+        }
+        self.next = self.past.clone();
+        self.switch(|_, _| pace)?;
+        core::mem::swap(&mut self.past, &mut self.next);
+        self.value = self.value(Shown::Past)?;
+        Ok(true)
     }
 
     /// Ends the step where the first of all joints is to change its mode, if one is: by steps made anew, so that the rule's order is that of

@@ -155,8 +155,7 @@ where
         if self.progress.stopped || self.past.time >= self.end {
             return Ok(false);
         }
-        let Taken { mut size, mut last, kink, .. } = self.accepted()?;
-        let cut = if const { Self::CUTS } { self.cut(size)? } else { None };
+        let (Taken { mut size, mut last, kink, .. }, cut) = self.cut_short()?;
         if let Some(shorter) = cut {
             (size, last) = (shorter, false);
         }
@@ -173,7 +172,7 @@ where
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
         if const { Self::CUTS } && cut.is_some() {
-            let changed = self.switch().and_then(|()| self.value(Shown::Next));
+            let changed = self.switch(|run, due| run.pace(due, size)).and_then(|()| self.value(Shown::Next));
             let value = changed.inspect_err(|_| self.progress = progress)?; // the step is not taken
             self.progress.mark = (self.next.time, 0);
             let before = core::mem::replace(&mut next_value, value);

@@ -11,27 +11,31 @@
 //! F. R. Gantmacher, On the stability of periodic motions, J. Appl. Math. Mech. 22, 1958).
 
 use super::drive::Running;
-use super::margin::meets;
+use super::margin::{meets, touched};
+use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};
 use crate::mirror::{Mode, Position, Rate};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::{Dynamics, MotionOf, PositionOf, RateOf, Runs, System};
 use num_traits::{One, Zero};
 
-/// When a guard is zero, after the time at which it is zero but for derivatives.
+/// How much later a guard is zero than at the time at which it is zero but for derivatives: by a time (s) that is zero but for these.
 #[derive(Clone, Copy)]
 pub(super) enum Delay<T> {
-    /// At that time: nothing hangs on anything.
+    /// Nothing hangs on anything.
     None,
-    /// Later by a time (s) that is zero but for derivatives.
-    By(T),
-    /// Later by a time that nothing tells, for how fast the guard changes is not known.
-    Unknown,
+    /// Of a joint that moves.
+    Moving(T),
+    /// Of a joint that does not move, by how fast its guard has changed: no number where that is rounding. Rates do not jump then.
+    Locked(T),
 }
+
+/// The slope at the end of four equal parts, by values from there back, of order four.
+const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
 
 /// A number without what it is but for derivatives.
 pub(super) fn varied<T: Scalar>(number: T) -> T {
@@ -53,41 +57,70 @@ where
     /// Whether numbers have derivatives.
     pub(super) const DERIVED: bool = size_of::<S::Scalar>() > size_of::<RealOf<S>>();
 
-    /// When the joint of a number changes its mode.
+    /// How much later the joint of a number changes its mode than at a motion with all its accelerations; `pace` tells how fast the guard of one that
+    /// does not move changes (1/s).
     ///
     /// # Errors
-    /// [`Fault::Unsupported`] for higher derivatives, and where joints are driven; [`Fault::NotFinite`] where a guard rests as it becomes zero.
-    pub(super) fn delay(motion: &mut MotionOf<S, R, C, P>, due: usize) -> Result<Delay<S::Scalar>, Error> {
-        let (mut found, mut count) = (Delay::None, 0);
+    /// [`Fault::Unsupported`] for higher derivatives, and where joints are driven; [`Fault::NotFinite`] where a joint that moves touches its stop,
+    /// or halts, without passing on.
+    pub(super) fn delay(
+        &mut self,
+        motion: &mut MotionOf<S, R, C, P>,
+        due: usize,
+        pace: impl FnOnce(&mut Self, usize) -> RealOf<S>,
+    ) -> Result<Delay<S::Scalar>, Error> {
+        let (mut guard, mut speed, mut locked) = (S::Scalar::zero(), RealOf::<S>::zero(), false);
+        let mut count = 0;
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
             if count == due {
-                let (guard, speed) = match *mode {
-                    Mode::Swings => (told.apart, -*rate),
-                    Mode::SlipsForward | Mode::SlipsBack if meets(*mode, *rate, &told) => (told.apart, -*rate),
-                    Mode::SlipsForward | Mode::SlipsBack => (*rate, told.rate),
-                    _ => (told.guard, S::Scalar::zero()),
-                };
-                let (guard, known) = (varied(guard), !mode.is_locked());
-                found = match guard.is_identical(S::Scalar::zero()) {
-                    true => Delay::None,
-                    false if known => Delay::By(guard.scale(-RealOf::<S>::one() / speed.real())),
-                    false => Delay::Unknown,
-                };
+                locked = mode.is_locked();
+                let meets = *mode == Mode::Swings || meets(*mode, *rate, &told);
+                let (now, changes) = if meets { (told.apart, -*rate) } else { (*rate, told.rate) };
+                (guard, speed) = (varied(if locked { told.guard } else { now }), changes.real());
             }
             count += 1;
         });
-        if let Delay::By(delay) = found {
-            ensure_finite(delay.is_finite(), "derivative of the time at which a joint changes its mode")?;
-            let refused = if const { PositionOf::<S, R, C>::CLOCKED } {
-                "derivatives of a run in which joints are driven past a change of mode"
-            } else if (delay * delay).is_identical(S::Scalar::zero()) {
-                return Ok(found);
-            } else {
-                "derivatives above the first, or numbers side by side, of a run past a change of mode"
-            };
-            return Err(Error::new(Fault::Unsupported { what: refused }).at_time(motion.time.as_f64()));
+        if guard.is_identical(S::Scalar::zero()) {
+            return Ok(Delay::None);
         }
-        Ok(found)
+        if locked {
+            speed = pace(self, due);
+        }
+        let delay = guard.scale(-RealOf::<S>::one() / speed);
+        if locked && !delay.is_finite() {
+            return Ok(Delay::Locked(delay));
+        }
+        ensure_finite(delay.is_finite(), "derivative of the time at which a joint changes its mode")?;
+        let what = if const { PositionOf::<S, R, C>::CLOCKED } {
+            "derivatives of a run in which joints are driven past a change of mode"
+        } else if (delay * delay).is_identical(S::Scalar::zero()) {
+            return Ok(if locked { Delay::Locked(delay) } else { Delay::Moving(delay) });
+        } else {
+            "derivatives above the first, or numbers side by side, of a run past a change of mode"
+        };
+        Err(Error::new(Fault::Unsupported { what }).at_time(motion.time.as_f64()))
+    }
+
+    /// How fast what guards a joint that does not move changes (1/s) at the end of a step of a size (s), by what it was within, or, of a negative
+    /// size, at the beginning of a step. No number where it has changed by rounding.
+    pub(super) fn pace(&mut self, due: usize, size: RealOf<S>) -> RealOf<S> {
+        let guards = [0, 1, 2, 3, 4].map(|part| {
+            let share = f64::from(part) / 4.0;
+            self.interpolate(size.abs(), if size < RealOf::<S>::zero() { share } else { 1.0 - share });
+            let mut motion = settled(self.plan.system, self.plan.loads, &self.between);
+            let (mut guard, mut count) = (0.0, 0);
+            motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |_, _, told| {
+                if count == due {
+                    guard = told.guard.real().as_f64();
+                }
+                count += 1;
+            });
+            guard
+        });
+        let change: f64 = guards.iter().zip(SLOPE).map(|(guard, weight)| weight * guard).sum();
+        let rounding = RealOf::<S>::EPSILON.sqrt().as_f64();
+        let changes = (guards[0] - guards[4]).abs() > rounding;
+        RealOf::<S>::of(if changes { 4.0 * change } else { f64::NAN }) / size
     }
 
     /// Goes on by a time that is zero but for derivatives.
@@ -107,20 +140,26 @@ where
         let (system, loads, next) = (self.plan.system, self.plan.loads, &mut self.next);
         match delay {
             Delay::None => Ok(()),
-            Delay::By(delay) => {
+            Delay::Moving(delay) => {
                 Self::shifted(next, -delay);
                 system.accelerate(next, loads, &mut Dynamics::<L>::workspace(system))
             }
-            Delay::Unknown => {
+            Delay::Locked(delay) => {
                 // Where accelerations do not jump, it does not matter when.
                 let (mut jump, [mut most, mut largest]) = (before.clone(), [0.0_f64; 2]);
                 jump.mix_1(&next.acceleration, (-RealOf::<S>::one(), before));
                 jump.visit(&mut |x| most = most.max(x.real().as_f64().abs()));
                 before.visit(&mut |x| largest = largest.max(x.real().as_f64().abs()));
-                let nothing = 2.0 * Mode::reluctance::<RealOf<S>>().as_f64() * (1.0 + largest);
-                let what = "derivatives of a run past where a joint breaks away from more friction than it slips with";
-                let refused = Error::new(Fault::Unsupported { what }).at_time(next.time.as_f64());
-                if most <= nothing { Ok(()) } else { Err(refused) }
+                if most <= 2.0 * Mode::reluctance::<RealOf<S>>().as_f64() * (1.0 + largest) {
+                    return Ok(());
+                }
+                let what = "derivatives of a run past where a joint breaks away that was hardly pulled before";
+                if !delay.is_finite() {
+                    return Err(Error::new(Fault::Unsupported { what }).at_time(next.time.as_f64()));
+                }
+                jump.replace(&mut |x| -(x * delay));
+                next.rate.add(&jump);
+                system.accelerate(next, loads, &mut Dynamics::<L>::workspace(system))
             }
         }
     }
@@ -132,7 +171,7 @@ where
     pub(super) fn strikes_surely(&mut self) -> Result<(), Error> {
         let (mut unsure, motion) = (false, &mut self.next);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            let side = super::margin::touched(*mode, &told);
+            let side = touched(*mode, &told);
             let strikes = side.is_some_and(|side| side * rate.real().as_f64() > 0.0);
             unsure |= strikes && !varied(told.apart).is_identical(S::Scalar::zero());
         });

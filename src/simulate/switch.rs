@@ -65,13 +65,14 @@ where
         least
     }
 
-    /// Changes the mode of the joint that has ended the step, and of those that change with it.
-    pub(super) fn switch(&mut self) -> Result<(), Error> {
+    /// Changes the mode of the joint that has ended the step, and of those that change with it; `pace` tells how fast the guard of a joint that does
+    /// not move changes (1/s).
+    pub(super) fn switch(&mut self, pace: impl FnOnce(&mut Self, usize) -> RealOf<S>) -> Result<(), Error> {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
         let (earliest, mut count, mut strikes) = (Self::margins(&mut next).1, 0, false);
-        let delay = if const { Self::DERIVED } { Self::delay(&mut next, earliest)? } else { Delay::None };
+        let delay = if const { Self::DERIVED } { self.delay(&mut next, earliest, pace)? } else { Delay::None };
         let before = if const { Self::DERIVED } { Some(next.acceleration.clone()) } else { None };
-        if let Delay::By(delay) = delay {
+        if let Delay::Moving(delay) = delay {
             Self::shifted(&mut next, delay);
         }
         let still = self.still();

@@ -40,6 +40,32 @@ fn a_hundred_joints_break_away_at_once() -> Result<(), Box<dyn std::error::Error
     Ok(())
 }
 
+/// Drawn by a force that grows as fast as friction is used up just where a step of many sizes ends.
+#[test]
+fn a_joint_breaks_away_where_a_step_ends() -> Result<(), Box<dyn std::error::Error>> {
+    let block = RigidBody::new(2.0, 0.1, [0.0; 2], [0.0; 2]);
+    for (breaking, from) in [(3.6, 0.72), (3.0, 0.6)] {
+        let track = Coulomb::new(Slider::along(0.0), 3.0).breaking_away(breaking);
+        let scene = System::new(Clamped::origin(), (track, block), Free)?;
+        let pull = |time: f64, joint: usize, _: &JointMotion<f64>| if joint == 1 { 5.0 * time } else { 0.0 };
+        let loads = Loads::none().in_joints(pull);
+        let pulled = 1.5_f64.powi(3) / 6.0 - 0.75 * from * from + from.powi(3) / 3.0;
+        let place = (5.0 * pulled - 1.5 * (1.5 - from) * (1.5 - from)) / 2.0;
+        macro_rules! runs {
+            ($($rule:expr, $bound:expr);*) => {$(
+                let end = scene.simulation($rule).loads(&loads).run(scene.motion(), 1.5, |_| ())?.motion;
+                near(end.coordinates()[0], place, $bound);
+            )*};
+        }
+        for step in [0.02, 0.01, 0.008, 0.007, 1e-3] {
+            runs!(Rk4::step(step), 1e-12; Dopri5::step(step), 1e-12; Sdirk4::new().step(step), 1e-12);
+            runs!(GeneralizedAlpha::new(0.8).step(step), 1e-3; Adams::step(step), 1e-12);
+        }
+        runs!(Dop853::tolerance(1e-9), 1e-12; Vcabm::new().tolerance(1e-9), 1e-11);
+    }
+    Ok(())
+}
+
 #[test]
 fn friction_never_drives() -> Result<(), Box<dyn std::error::Error>> {
     let block = RigidBody::new(2.0, 0.1, [0.0; 2], [0.0; 2]);

@@ -16,6 +16,30 @@ fn agree<const K: usize>(found: Jet<f64, K>, expected: Jet<f64, K>, bound: f64) 
     }
 }
 
+/// The last coordinates of a scene by a number, over plain numbers and over jets, agree in differences.
+macro_rules! by_differences {
+    ($bound:expr, [$($at:expr),*], |$x:ident, $T:ident| $run:expr) => {{
+        fn plain($x: f64) -> Result<Vec<f64>, Error> {
+            #[allow(dead_code)]
+            type $T = f64;
+            $run
+        }
+        fn derived($x: Jet<f64, 1>) -> Result<Vec<Jet<f64, 1>>, Error> {
+            #[allow(dead_code)]
+            type $T = Jet<f64, 1>;
+            $run
+        }
+        for at in [$($at),*] {
+            let by = 1e-5;
+            let (found, [above, below]) = (derived(Jet::seed(at, 0))?, [plain(at + by)?, plain(at - by)?]);
+            for (k, found) in found.iter().enumerate() {
+                let expected = (above[k] - below[k]) / (2.0 * by);
+                near(found.eps[0], expected, $bound * (1.0 + expected.abs()));
+            }
+        }
+    }};
+}
+
 /// Height and rate of what falls from a height and gives back a share of its speed, after a time.
 fn bounced<T: Scalar<Real = f64>>(height: T, restitution: T, gravity: T, time: f64) -> [T; 2] {
     let half = T::literal(0.5);
@@ -133,11 +157,44 @@ fn a_block_that_breaks_away_under_a_growing_force() -> Result<(), Error> {
     // It goes once the force is as large as friction: m q̈ = g (t − F / g).
     let later = T::of(1.5) - friction / growth;
     agree(end.coordinates()[0], growth * later * later * later / (mass * T::of(6.0)), 1e-9);
-    // Where it would jump, when it does so hangs on how fast the force grows, which nothing tells.
-    let jumps = scene(friction * T::of(1.2))?;
-    let run = jumps.simulation(Dop853::tolerance(1e-11)).loads(&loads).run(jumps.motion(), 1.5, |_| ());
-    let fault = run.expect_err("a jump").error.fault;
-    assert!(matches!(fault, Fault::Unsupported { what } if what.contains("breaks away")), "{fault}");
+    // From more friction than it slips with, it jumps: m q̈ = g t − F from t = 1.2 F / g on.
+    let (jumps, time, six) = (scene(friction * T::of(1.2))?, T::of(1.5), T::of(6.0));
+    let [from, half] = [friction * T::of(1.2) / growth, T::of(0.5)];
+    let pulled = time * time * time / six - half * from * from * time + from * from * from * T::of(1.0 / 3.0);
+    let place = (growth * pulled - friction * half * (time - from) * (time - from)) / mass;
+    let speed = (growth * half * (time * time - from * from) - friction * (time - from)) / mass;
+    macro_rules! runs {
+        ($($rule:expr, $bound:expr);*) => {$(
+            let end = jumps.simulation($rule).loads(&loads).run(jumps.motion(), 1.5, |_| ())?.motion;
+            agree(end.coordinates()[0], place, $bound);
+            agree(end.rates()[0], speed, $bound);
+        )*};
+    }
+    runs!(Dop853::tolerance(1e-11), 1e-10; Rk4::step(0.01), 1e-10; Vcabm::new().tolerance(1e-11), 1e-9; Sdirk4::new().step(0.01), 1e-9);
+    Ok(())
+}
+
+#[test]
+fn a_block_that_sticks_and_slips_behind_a_spring() -> Result<(), Error> {
+    // A spring whose other end goes steadily on draws a block, which sticks by more friction than it slips with.
+    by_differences!(1e-6, [0.9, 1.0, 1.1], |factor, T| {
+        let of = <T as Scalar>::literal;
+        let zero = of(0.0);
+        let block = RigidBody::new(of(1.0), of(0.1), [zero; 2], [zero; 2]);
+        let stiffness = of(40.0) * factor;
+        let track = Coulomb::new(Slider::along(zero), of(2.0)).breaking_away(of(3.0)).with(Spring::new(stiffness));
+        let scene = System::new(Clamped::origin(), (track, block), Free)?;
+        let pull = move |time: f64, joint: usize, _: &JointMotion<T>| {
+            if joint == 1 { stiffness * of(0.2 * time) } else { zero }
+        };
+        let loads = Loads::none().in_joints(pull);
+        let mut found = vec![];
+        for time in [0.7, 1.3, 2.6] {
+            let end = scene.simulation(Dop853::tolerance(1e-13)).loads(&loads).run(scene.motion(), time, |_| ())?;
+            found.extend([end.motion.coordinates()[0], end.motion.rates()[0]]);
+        }
+        Ok(found)
+    });
     Ok(())
 }
 
@@ -156,30 +213,6 @@ fn a_drawer_that_rubs_and_strikes() -> Result<(), Error> {
     agree(end.coordinates()[0], restitution * restitution * arrives / (slowed + slowed), 1e-11);
     agree(end.rates()[0], T::of(0.0), 1e-12);
     Ok(())
-}
-
-/// The last coordinates of a scene by a number, over plain numbers and over jets, agree in differences.
-macro_rules! by_differences {
-    ($bound:expr, [$($at:expr),*], |$x:ident, $T:ident| $run:expr) => {{
-        fn plain($x: f64) -> Result<Vec<f64>, Error> {
-            #[allow(dead_code)]
-            type $T = f64;
-            $run
-        }
-        fn derived($x: Jet<f64, 1>) -> Result<Vec<Jet<f64, 1>>, Error> {
-            #[allow(dead_code)]
-            type $T = Jet<f64, 1>;
-            $run
-        }
-        for at in [$($at),*] {
-            let by = 1e-5;
-            let (found, [above, below]) = (derived(Jet::seed(at, 0))?, [plain(at + by)?, plain(at - by)?]);
-            for (k, found) in found.iter().enumerate() {
-                let expected = (above[k] - below[k]) / (2.0 * by);
-                near(found.eps[0], expected, $bound * (1.0 + expected.abs()));
-            }
-        }
-    }};
 }
 
 #[test]
@@ -234,7 +267,8 @@ macro_rules! random_arm {
             if number == $varied + 1 { value * $factor } else { value }
         };
         let rods = [0; 4].map(|_| Rod::uniform(between(0.4, 1.0), between(0.5, 1.5)));
-        let shoulder = Coulomb::new(Revolute::smooth(), between(0.05, 0.8));
+        let friction = between(0.05, 0.8);
+        let shoulder = Coulomb::new(Revolute::smooth(), friction).breaking_away(friction * between(1.0, 1.5));
         let range = [between(-1.0, -0.2), between(0.2, 1.0)];
         let elbow = HardStops::between(Revolute::smooth(), range).rebounding(between(0.2, 0.9));
         let (friction, range) = (between(0.02, 0.4), [between(-1.0, -0.2), between(0.2, 1.0)]);
@@ -245,23 +279,40 @@ macro_rules! random_arm {
         start.set_coordinates(&[between(-0.5, 0.5), between(-1.0, 1.0), between(-0.19, 0.19), between(-0.19, 0.19)])?;
         let rates = [between(-2.0, 2.0), between(-2.0, 2.0), between(-2.0, 2.0), between(-2.0, 2.0)];
         let start = arm.with_rates(start, &rates)?;
-        let run = arm.simulation(Dop853::tolerance(1e-13)).run(start, 0.9, |_| ())?;
-        let numbers: Vec<$T> = run.motion.coordinates().into_iter().chain(run.motion.rates()).collect();
-        numbers
+        let run = arm.simulation(Dop853::tolerance(1e-13)).run(start, 0.9, |_| ());
+        let motion = run.map_err(|stopped| stopped.error)?.motion;
+        Ok(motion.coordinates().into_iter().chain(motion.rates()).collect())
     }};
+}
+
+fn plain_arm(seed: u64, varied: usize, factor: f64) -> Result<Vec<f64>, Error> {
+    random_arm!(f64, seed, varied, factor)
+}
+
+fn derived_arm(seed: u64, varied: usize) -> Result<Vec<Jet<f64, 1>>, Error> {
+    type T = Jet<f64, 1>;
+    random_arm!(T, seed, varied, T::seed(1.0, 0))
 }
 
 #[test]
 fn random_arms_by_random_numbers() -> Result<(), Error> {
-    type T = Jet<f64, 1>;
     let (mut compared, mut smooth) = (0, 0);
     for seed in 0..150 {
-        let varied = seed as usize % 26;
-        let (found, plain) = (random_arm!(T, seed, varied, T::seed(1.0, 0)), random_arm!(f64, seed, varied, 1.0));
+        let varied = seed as usize % 27;
+        let (found, plain) = (derived_arm(seed, varied), plain_arm(seed, varied, 1.0));
+        // No modes go together in one of these arms, where friction at rest is another.
+        let (found, plain) = match (found, plain) {
+            (Ok(found), Ok(plain)) => (found, plain),
+            (Err(found), Err(plain)) => {
+                assert_eq!(found.fault, plain.fault);
+                continue;
+            }
+            other => panic!("{seed}: {other:?}"),
+        };
         let mut slopes = vec![];
         for by in [2e-6, 1e-6] {
-            let (above, below) = (random_arm!(f64, seed, varied, 1.0 + by), random_arm!(f64, seed, varied, 1.0 - by));
-            slopes.push(above.iter().zip(&below).map(|(a, b)| (a - b) / (2.0 * by)).collect::<Vec<_>>());
+            let [above, below] = [1.0 + by, 1.0 - by].map(|factor| plain_arm(seed, varied, factor));
+            slopes.push(above?.iter().zip(&below?).map(|(a, b)| (a - b) / (2.0 * by)).collect::<Vec<_>>());
         }
         compared += 1;
         // Where another joint strikes first, or one more, within the difference, there is none.
@@ -276,7 +327,7 @@ fn random_arms_by_random_numbers() -> Result<(), Error> {
         }
     }
     println!("{smooth} of {compared} scenes compared");
-    assert!(smooth * 10 >= compared * 9);
+    assert!(compared >= 145 && smooth * 10 >= compared * 9);
     Ok(())
 }
 
