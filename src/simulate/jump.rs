@@ -17,7 +17,7 @@ use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};
-use crate::mirror::{Mode, Position, Rate};
+use crate::mirror::{Mode, Position, Rate, Told};
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::{Dynamics, MotionOf, PositionOf, RateOf, Runs, System};
@@ -57,48 +57,64 @@ where
     /// Whether numbers have derivatives.
     pub(super) const DERIVED: bool = size_of::<S::Scalar>() > size_of::<RealOf<S>>();
 
+    /// What the joint of a number does, its rate, and what is told of it.
+    fn joint(motion: &mut MotionOf<S, R, C, P>, number: usize) -> Option<(Mode, S::Scalar, Told<S::Scalar>)> {
+        let (mut found, mut count) = (None, 0);
+        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+            if count == number {
+                found = Some((*mode, *rate, told));
+            }
+            count += 1;
+        });
+        found
+    }
+
     /// How much later the joint of a number changes its mode than at a motion with all its accelerations; `pace` tells how fast the guard of one that
     /// does not move changes (1/s).
     ///
     /// # Errors
-    /// [`Fault::Unsupported`] for higher derivatives, and where joints are driven; [`Fault::NotFinite`] where a joint that moves touches its stop,
-    /// or halts, without passing on.
+    /// Where it is a joint that moves, as [`jumps`](Self::jumps).
     pub(super) fn delay(
         &mut self,
         motion: &mut MotionOf<S, R, C, P>,
         due: usize,
         pace: impl FnOnce(&mut Self, usize) -> RealOf<S>,
     ) -> Result<Delay<S::Scalar>, Error> {
-        let (mut guard, mut speed, mut locked) = (S::Scalar::zero(), RealOf::<S>::zero(), false);
-        let mut count = 0;
-        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            if count == due {
-                locked = mode.is_locked();
-                let meets = *mode == Mode::Swings || meets(*mode, *rate, &told);
-                let (now, changes) = if meets { (told.apart, -*rate) } else { (*rate, told.rate) };
-                (guard, speed) = (varied(if locked { told.guard } else { now }), changes.real());
-            }
-            count += 1;
-        });
+        let Some((mode, rate, told)) = Self::joint(motion, due) else { return Ok(Delay::None) };
+        let (locked, strikes) = (mode.is_locked(), mode == Mode::Swings || meets(mode, rate, &told));
+        let (guard, changes) = match (locked, strikes) {
+            (true, _) => (told.guard, told.rate),
+            (_, true) => (told.apart, -rate),
+            _ => (rate, told.rate),
+        };
+        let guard = varied(guard);
         if guard.is_identical(S::Scalar::zero()) {
             return Ok(Delay::None);
         }
-        if locked {
-            speed = pace(self, due);
-        }
+        let speed = if locked { pace(self, due) } else { changes.real() };
         let delay = guard.scale(-RealOf::<S>::one() / speed);
-        if locked && !delay.is_finite() {
+        if locked {
             return Ok(Delay::Locked(delay));
         }
         ensure_finite(delay.is_finite(), "derivative of the time at which a joint changes its mode")?;
-        let what = if const { PositionOf::<S, R, C>::CLOCKED } {
+        Self::jumps(delay, motion.time).map(|()| Delay::Moving(delay))
+    }
+
+    /// Whether there are jump terms for a delay.
+    ///
+    /// # Errors
+    /// [`Fault::Unsupported`] for higher derivatives, where joints are driven, and for no number.
+    fn jumps(delay: S::Scalar, time: RealOf<S>) -> Result<(), Error> {
+        let what = if !delay.is_finite() {
+            "derivatives of a run past where a joint breaks away that was hardly pulled before"
+        } else if const { PositionOf::<S, R, C>::CLOCKED } {
             "derivatives of a run in which joints are driven past a change of mode"
         } else if (delay * delay).is_identical(S::Scalar::zero()) {
-            return Ok(if locked { Delay::Locked(delay) } else { Delay::Moving(delay) });
+            return Ok(());
         } else {
             "derivatives above the first, or numbers side by side, of a run past a change of mode"
         };
-        Err(Error::new(Fault::Unsupported { what }).at_time(motion.time.as_f64()))
+        Err(Error::new(Fault::Unsupported { what }).at_time(time.as_f64()))
     }
 
     /// How fast what guards a joint that does not move changes (1/s) at the end of a step of a size (s), by what it was within, or, of a negative
@@ -108,18 +124,10 @@ where
             let share = f64::from(part) / 4.0;
             self.interpolate(size.abs(), if size < RealOf::<S>::zero() { share } else { 1.0 - share });
             let mut motion = settled(self.plan.system, self.plan.loads, &self.between);
-            let (mut guard, mut count) = (0.0, 0);
-            motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |_, _, told| {
-                if count == due {
-                    guard = told.guard.real().as_f64();
-                }
-                count += 1;
-            });
-            guard
+            Self::joint(&mut motion, due).map_or(0.0, |(_, _, told)| told.guard.real().as_f64())
         });
         let change: f64 = guards.iter().zip(SLOPE).map(|(guard, weight)| weight * guard).sum();
-        let rounding = RealOf::<S>::EPSILON.sqrt().as_f64();
-        let changes = (guards[0] - guards[4]).abs() > rounding;
+        let changes = (guards[0] - guards[4]).abs() > RealOf::<S>::EPSILON.sqrt().as_f64();
         RealOf::<S>::of(if changes { 4.0 * change } else { f64::NAN }) / size
     }
 
@@ -153,10 +161,7 @@ where
                 if most <= 2.0 * Mode::reluctance::<RealOf<S>>().as_f64() * (1.0 + largest) {
                     return Ok(());
                 }
-                let what = "derivatives of a run past where a joint breaks away that was hardly pulled before";
-                if !delay.is_finite() {
-                    return Err(Error::new(Fault::Unsupported { what }).at_time(next.time.as_f64()));
-                }
+                Self::jumps(delay, next.time)?;
                 jump.replace(&mut |x| -(x * delay));
                 next.rate.add(&jump);
                 system.accelerate(next, loads, &mut Dynamics::<L>::workspace(system))
