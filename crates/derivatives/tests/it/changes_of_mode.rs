@@ -297,7 +297,7 @@ fn derived_arm(seed: u64, varied: usize) -> Result<Vec<Jet<f64, 1>>, Error> {
 #[test]
 fn random_arms_by_random_numbers() -> Result<(), Error> {
     let (mut compared, mut smooth) = (0, 0);
-    for seed in 0..150 {
+    for seed in 0..50 {
         let varied = seed as usize % 27;
         let (found, plain) = (derived_arm(seed, varied), plain_arm(seed, varied, 1.0));
         // No modes go together in one of these arms, where friction at rest is another.
@@ -327,7 +327,7 @@ fn random_arms_by_random_numbers() -> Result<(), Error> {
         }
     }
     println!("{smooth} of {compared} scenes compared");
-    assert!(compared >= 145 && smooth * 10 >= compared * 9);
+    assert!(compared >= 48 && smooth * 10 >= compared * 9);
     Ok(())
 }
 
