@@ -28,7 +28,7 @@ use crate::scalar::{Real, Scalar};
 /// to order four in its size, and a run whose derivatives hang on it is refused where they have hardly grown.
 ///
 /// Under error control, steps in which a joint sticks are looked at in their middle, closer where friction changes by more than a tenth of that
-/// at which the joint breaks away, and then grow no further. A load that comes and goes between two looks while all is at rest is not seen:
+/// at which the joint breaks away, and then grow no further. A joint that comes to rest and slips on within a step is seen where accelerations at both ends tell of it. A load that comes and goes between two looks while all is at rest is not seen:
 /// [`longest_step`] is for such loads, and for fixed steps their ends are what is looked at.
 ///
 /// ```

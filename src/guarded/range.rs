@@ -24,7 +24,8 @@ use num_traits::One;
 /// Any joint with one coordinate can have stops, in the plane, in space and of robots, and a spring, damper or law beside them; an end at infinity is
 /// none. A step of a [`Stepper`] of one's own changes no mode, and is refused where the step before has brought a joint beyond its stop: [`Stops`]
 /// is the compliant law for these, [`MoreauJean`] the rule for steps of one size that do, in real time. As data an end at infinity needs a format that has infinity; JSON has none. Runs over lanes are refused, and so are equilibria and modes of vibration. A
-/// joint that passes its stop and comes back within one step is not seen: [`longest_step`] is for such.
+/// joint that passes its stop and comes back within one step is seen under error control, where rates at both ends tell of it; by fixed steps it is not, and
+/// [`longest_step`] is for such.
 ///
 /// Runs over jets and dual numbers have the first derivatives of what happens: when a joint strikes hangs on all that is differentiated, and what
 /// that changes is added where the mode changes, exact but for the error of the step that ends there. Second derivatives past such a time are

@@ -25,6 +25,8 @@ pub(super) struct Taken<R> {
     pub(super) cut: bool,
     /// Whether a kink is where the step ends.
     pub(super) kink: bool,
+    /// Whether a mode changes where the step ends.
+    pub(super) switches: bool,
 }
 
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
@@ -67,7 +69,7 @@ where
                 return Err(self.given_up(error, tolerance));
             }
             let mut outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
-            let mut taken = Taken { size, last, cut: false, kink: false };
+            let mut taken = Taken { size, last, cut: false, kink: false, switches: false };
             if const { Self::KINKS > 0 } && outcome.is_ok() {
                 outcome = self.end_at_kink(&mut taken);
             }

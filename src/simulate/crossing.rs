@@ -3,6 +3,8 @@
 use crate::error::{Error, Fault};
 use crate::scalar::Scalar;
 
+/// So many values halve a range down to rounding.
+const MOST: usize = 200;
 /// The share of a first step after an event from which on another is looked for: the function has left the zero where it began.
 pub(super) const DEPARTED: f64 = 1e-3;
 
@@ -44,17 +46,22 @@ pub(crate) fn departure<E>(
     Ok(if at_zero { (DEPARTED, departed) } else { (0.0, before) })
 }
 
-/// The share at which a function is zero that [`crosses`] zero from 0 to 1 by these values: regula falsi with the Illinois modification.
-/// The last value asked for is that of the share given, but for a hundred values that have not met rounding.
+/// The share at which a function is zero that [`crosses`] zero from 0 to 1 by these values: regula falsi with the Illinois modification, and
+/// halves where three values have not halved the range. The last value asked for is that of the share given.
 pub(crate) fn crossing<E>(values: [f64; 2], value_at: &mut dyn FnMut(f64) -> Result<f64, E>) -> Result<f64, E> {
     let ([mut low, mut high], [mut below, mut above]) = ([0.0, 1.0], values);
     if above == 0.0 {
         return value_at(high).map(|_| high);
     }
-    let mut kept = 0;
-    for _ in 0..100 {
+    let (mut kept, mut width) = (0, 1.0);
+    for count in 0..MOST {
         let theta = high - above * (high - low) / (above - below);
-        let theta = if theta > low && theta < high { theta } else { 0.5 * (low + high) };
+        // One end may say next to nothing of where zero is, as of a joint that has just left its stop.
+        let slow = count % 3 == 2 && high - low > 0.5 * width;
+        let theta = if theta > low && theta < high && !slow { theta } else { 0.5 * (low + high) };
+        if count % 3 == 2 {
+            width = high - low;
+        }
         let value = value_at(theta)?;
         if !crosses([value, values[1]]) {
             (high, above) = (theta, value);

@@ -3,15 +3,15 @@
 use super::accept::Taken;
 use super::crossing::crossing;
 use super::drive::Running;
-use super::margin::{margin, nearness};
+use super::margin::{forward, margin, nearness};
 use super::now::settled;
 use super::shown::Shown;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
-use crate::mirror::{Mode, Position};
-use crate::scalar::{Real, Scalar};
+use crate::mirror::{Mode, Position, Told};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{MotionOf, RateOf, Runs, System};
 use crate::time::Control;
@@ -21,6 +21,10 @@ use num_traits::Zero;
 const HALVINGS: i32 = 40;
 /// So many corrections put the end of a step where a joint meets its stop.
 const NEWTON: usize = 3;
+/// So small a share of its ends is next to nothing where a cubic tells of what is within a step.
+const NEXT_TO: f64 = 0.1;
+/// Beside how it changes in a step so small a value is that of what has just begun to move.
+const BEGUN: f64 = 1e-6;
 /// Into so many parts a step is divided by looks at what sticks in it, and where these show that friction changes much.
 const LOOKS: [u32; 2] = [2, 8];
 /// By how much friction may change from look to look, as a share of that at which a joint breaks away.
@@ -100,6 +104,28 @@ where
         None
     }
 
+    /// Where in the step a joint that moves comes to rest, or meets its stop, and goes back before the step ends, and the least margin there: what
+    /// values and slopes at both ends tell of it, and then what is there.
+    fn dip(&mut self, size: RealOf<S>) -> Option<(f64, f64)> {
+        let (system, loads) = (self.plan.system, self.plan.loads);
+        let mut next = if K::SETTLED { self.next.clone() } else { settled(system, loads, &self.next) };
+        for number in 0.. {
+            let start = Self::joint(&mut self.past, number).map(|joint| approach(joint, size.as_f64()))?;
+            let Some(starts) = start else { continue };
+            let Some(ends) = Self::joint(&mut next, number).and_then(|joint| approach(joint, size.as_f64())) else {
+                continue;
+            };
+            let lowest = starts.iter().zip(&ends).find_map(|(start, end)| lowest(*start, *end));
+            let Some(theta) = lowest else { continue };
+            self.interpolate(size, theta);
+            let margin = Self::margins(&mut settled(system, loads, &self.between)).0;
+            if margin < 0.0 {
+                return Some((theta, margin));
+            }
+        }
+        None
+    }
+
     /// For how long the joint that is to change its mode has been beyond its stop (s), if it strikes one.
     fn beyond(&mut self) -> f64 {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
@@ -119,23 +145,24 @@ where
         Ok(self.margin_ahead())
     }
 
-    /// The next step that is accepted, and its size (s) where it ends because a mode changes. What holds a joint may be used up, but for rounding,
+    /// The next step that is accepted, which ends where a mode changes. What holds a joint may be used up, but for rounding,
     /// where the step before has ended: then its mode changes where this one begins.
-    pub(super) fn cut_short(&mut self) -> Result<(Taken<RealOf<S>>, Option<RealOf<S>>), Error> {
-        let taken = self.accepted()?;
+    pub(super) fn cut_short(&mut self) -> Result<Taken<RealOf<S>>, Error> {
+        let mut taken = self.accepted()?;
         if const { !Self::CUTS } {
-            return Ok((taken, None));
+            return Ok(taken);
         }
-        match self.cut(taken.size) {
+        let cut = match self.cut(taken.size) {
             Err(error) => {
                 if !self.lets_go(taken.size)? {
                     return Err(error);
                 }
-                let taken = self.accepted()?;
-                Ok((taken, self.cut(taken.size)?))
+                taken = self.accepted()?;
+                self.cut(taken.size)?
             }
-            cut => cut.map(|cut| (taken, cut)),
-        }
+            Ok(cut) => cut,
+        };
+        Ok(cut.map_or(taken, |size| Taken { size, last: false, switches: true, ..taken }))
     }
 
     /// Changes the mode of a joint that does not move although nothing holds it where a step of a size (s) begins; whether there is one.
@@ -170,6 +197,10 @@ where
             && let Some(earlier) = self.look(size)
         {
             high = earlier;
+        } else if let (Control::Tolerance(_), true) = (self.plan.rule.control, high.1 >= 0.0)
+            && let Some(within) = self.dip(size)
+        {
+            high = within;
         }
         if high.1.is_nan() || high.1 >= 0.0 {
             return Ok(None);
@@ -208,4 +239,38 @@ where
         }
         Ok(Some(size * RealOf::<S>::of(share)))
     }
+}
+
+/// A value before it is zero, by a rate or a distance, and how it changes in a step.
+type Near = [f64; 2];
+
+/// How a joint that moves nears rest, and its stop, which it has on one side or on the other: nothing of what it does not near.
+fn approach<T: Scalar>((mode, rate, told): (Mode, T, Told<T>), size: f64) -> Option<[Near; 3]> {
+    if mode.is_locked() {
+        return None;
+    }
+    let real = |x: T| x.real().as_f64();
+    let (apart, none) = (real(told.apart), [f64::INFINITY, 0.0]);
+    let slips = if told.rubs { [forward(mode, rate), forward(mode, told.rate) * size] } else { none };
+    let stop = [apart.abs(), -apart.signum() * real(rate) * size];
+    let sides = match told.stops {
+        true if apart < 0.0 => [stop, none],
+        true => [none, stop],
+        false => [none; 2],
+    };
+    Some([slips, sides[0], sides[1]])
+}
+
+/// Where a cubic between two ends is least within, if it is next to nothing or less there, beside the ends.
+fn lowest([from, down]: Near, [to, up]: Near) -> Option<f64> {
+    // What has just begun to move is at zero but for rounding.
+    if !(down < 0.0 && up > 0.0 && from > BEGUN * (up - down) && to.is_finite()) {
+        return None;
+    }
+    let (square, cube) = (3.0 * (to - from) - 2.0 * down - up, 2.0 * (from - to) + down + up);
+    // 3 c θ² + 2 b θ + down = 0, where it rises.
+    let root = Elementary::sqrt(square * square - 3.0 * cube * down);
+    let theta = -down / (square + root);
+    let value = from + theta * (down + theta * (square + theta * cube));
+    (theta > 0.0 && theta < 1.0 && value < NEXT_TO * from.max(to)).then_some(theta)
 }

@@ -155,10 +155,7 @@ where
         if self.progress.stopped || self.past.time >= self.end {
             return Ok(false);
         }
-        let (Taken { mut size, mut last, kink, .. }, cut) = self.cut_short()?;
-        if let Some(shorter) = cut {
-            (size, last) = (shorter, false);
-        }
+        let Taken { size, last, kink, switches, .. } = self.cut_short()?;
         if last {
             self.next.set_time(self.end);
         }
@@ -171,7 +168,7 @@ where
         }
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
-        if const { Self::CUTS } && cut.is_some() {
+        if const { Self::CUTS } && switches {
             let changed = self.switch(|run, due| run.pace(due, size)).and_then(|()| self.value(Shown::Next));
             let value = changed.inspect_err(|_| self.progress = progress)?; // the step is not taken
             self.progress.mark = (self.next.time, 0);
@@ -187,7 +184,7 @@ where
                 }
             }
         }
-        if const { Self::KINKS > 0 } && kink && cut.is_none() {
+        if const { Self::KINKS > 0 } && kink && !switches {
             self.stepper.restart();
             self.progress.mark = (self.next.time, 0);
         }

@@ -58,7 +58,10 @@ where
     pub(super) const DERIVED: bool = size_of::<S::Scalar>() > size_of::<RealOf<S>>();
 
     /// What the joint of a number does, its rate, and what is told of it.
-    fn joint(motion: &mut MotionOf<S, R, C, P>, number: usize) -> Option<(Mode, S::Scalar, Told<S::Scalar>)> {
+    pub(super) fn joint(
+        motion: &mut MotionOf<S, R, C, P>,
+        number: usize,
+    ) -> Option<(Mode, S::Scalar, Told<S::Scalar>)> {
         let (mut found, mut count) = (None, 0);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
             if count == number {

@@ -2,7 +2,7 @@
 
 use super::drive::Running;
 use super::jump::varied;
-use super::margin::{nearness, touched};
+use super::margin::{forward, nearness, touched};
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -108,6 +108,13 @@ where
             let Some(blow) = Self::lowest(&mut self.next) else { return Ok(()) };
             joint = blow.joint;
             self.give(&blow)?;
+            // A joint that has all but come to rest may be turned round by it.
+            let next = &mut self.next;
+            next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
+                if forward(*mode, *rate) < 0.0 {
+                    *mode = Mode::at(*rate, told.rubs);
+                }
+            });
             self.settle_modes(None)?;
         }
         Err(inconsistent(joint, self.next.time))

@@ -132,11 +132,14 @@ where
             let (mut worst, mut faint, mut count) = ((0.0, None), None, 0);
             let rounding = -Mode::reluctance::<RealOf<S>>().as_f64();
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
-                let resting = if changed == Some(count) { None } else { rests(*mode, *rate, &told) };
+                // What has just changed its mode does not take that back for rounding.
+                let (just, side) = (changed == Some(count), touched(*mode, &told));
+                let pressed = side.is_some_and(|side| side * told.rate.real().as_f64() > -rounding);
+                let resting = rests(*mode, *rate, &told).filter(|_| pressed || !just);
                 let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && rate.is_zero();
-                let second = if slips && changed != Some(count) { forward(*mode, told.rate) } else { 0.0 };
+                let second = if slips { forward(*mode, told.rate) } else { 0.0 };
                 let back = second < rounding;
-                if second < 0.0 {
+                if second < 0.0 && !just {
                     faint = Some(count);
                 }
                 if let Some(now) = if back { Some(Mode::Sticks) } else { resting } {
