@@ -115,7 +115,7 @@ where
             let Some(ends) = Self::joint(&mut next, number).and_then(|joint| approach(joint, size.as_f64())) else {
                 continue;
             };
-            let lowest = starts.iter().zip(&ends).find_map(|(start, end)| lowest(*start, *end));
+            let lowest = starts.iter().zip(&ends).find_map(|(start, end)| lowest::<RealOf<S>>(*start, *end));
             let Some(theta) = lowest else { continue };
             self.interpolate(size, theta);
             let margin = Self::margins(&mut settled(system, loads, &self.between)).0;
@@ -262,14 +262,14 @@ fn approach<T: Scalar>((mode, rate, told): (Mode, T, Told<T>), size: f64) -> Opt
 }
 
 /// Where a cubic between two ends is least within, if it is next to nothing or less there, beside the ends.
-fn lowest([from, down]: Near, [to, up]: Near) -> Option<f64> {
+fn lowest<R: Real>([from, down]: Near, [to, up]: Near) -> Option<f64> {
     // What has just begun to move is at zero but for rounding.
     if !(down < 0.0 && up > 0.0 && from > BEGUN * (up - down) && to.is_finite()) {
         return None;
     }
     let (square, cube) = (3.0 * (to - from) - 2.0 * down - up, 2.0 * (from - to) + down + up);
     // 3 c θ² + 2 b θ + down = 0, where it rises.
-    let root = Elementary::sqrt(square * square - 3.0 * cube * down);
+    let root = Elementary::sqrt(R::of(square * square - 3.0 * cube * down)).as_f64();
     let theta = -down / (square + root);
     let value = from + theta * (down + theta * (square + theta * cube));
     (theta > 0.0 && theta < 1.0 && value < NEXT_TO * from.max(to)).then_some(theta)
