@@ -23,6 +23,8 @@ const HALVINGS: i32 = 40;
 const NEWTON: usize = 3;
 /// So small a share of its ends is next to nothing where a cubic tells of what is within a step.
 const NEXT_TO: f64 = 0.1;
+/// So many joints are looked at at once.
+const BLOCK: usize = 8;
 /// Beside how it changes in a step so small a value is that of what has just begun to move.
 const BEGUN: f64 = 1e-6;
 /// Into so many parts a step is divided by looks at what sticks in it, and where these show that friction changes much.
@@ -109,21 +111,34 @@ where
     fn dip(&mut self, size: RealOf<S>) -> Option<(f64, f64)> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let mut next = if K::SETTLED { self.next.clone() } else { settled(system, loads, &self.next) };
-        for number in 0.. {
-            let start = Self::joint(&mut self.past, number).map(|joint| approach(joint, size.as_f64()))?;
-            let Some(starts) = start else { continue };
-            let Some(ends) = Self::joint(&mut next, number).and_then(|joint| approach(joint, size.as_f64())) else {
-                continue;
-            };
-            let lowest = starts.iter().zip(&ends).find_map(|(start, end)| lowest::<RealOf<S>>(*start, *end));
-            let Some(theta) = lowest else { continue };
-            self.interpolate(size, theta);
-            let margin = Self::margins(&mut settled(system, loads, &self.between)).0;
-            if margin < 0.0 {
-                return Some((theta, margin));
+        for first in (0..).step_by(BLOCK) {
+            let [(starts, count), (ends, _)] =
+                [&mut self.past, &mut next].map(|motion| Self::approaches(motion, first, size.as_f64()));
+            for (start, end) in starts.iter().flatten().zip(ends.iter().flatten()) {
+                let Some(theta) = lowest::<RealOf<S>>(*start, *end) else { continue };
+                self.interpolate(size, theta);
+                let margin = Self::margins(&mut settled(system, loads, &self.between)).0;
+                if margin < 0.0 {
+                    return Some((theta, margin));
+                }
+            }
+            if count <= first + BLOCK {
+                break;
             }
         }
         None
+    }
+
+    /// How some joints from a number on near rest and their stops, and how many joints there are.
+    fn approaches(motion: &mut MotionOf<S, R, C, P>, first: usize, size: f64) -> ([[Near; 3]; BLOCK], usize) {
+        let (mut found, mut count) = ([[FAR; 3]; BLOCK], 0_usize);
+        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+            if let Some(entry) = count.checked_sub(first).and_then(|k| found.get_mut(k)) {
+                *entry = approach((*mode, *rate, told), size);
+            }
+            count += 1;
+        });
+        (found, count)
     }
 
     /// For how long the joint that is to change its mode has been beyond its stop (s), if it strikes one.
@@ -244,21 +259,23 @@ where
 /// A value before it is zero, by a rate or a distance, and how it changes in a step.
 type Near = [f64; 2];
 
-/// How a joint that moves nears rest, and its stop, which it has on one side or on the other: nothing of what it does not near.
-fn approach<T: Scalar>((mode, rate, told): (Mode, T, Told<T>), size: f64) -> Option<[Near; 3]> {
+/// Of what does not near zero.
+const FAR: Near = [f64::INFINITY, 0.0];
+
+/// How a joint that moves nears rest, its lower stop and its upper one.
+fn approach<T: Scalar>((mode, rate, told): (Mode, T, Told<T>), size: f64) -> [Near; 3] {
+    let (real, mut near) = (|x: T| x.real().as_f64(), [FAR; 3]);
     if mode.is_locked() {
-        return None;
+        return near;
     }
-    let real = |x: T| x.real().as_f64();
-    let (apart, none) = (real(told.apart), [f64::INFINITY, 0.0]);
-    let slips = if told.rubs { [forward(mode, rate), forward(mode, told.rate) * size] } else { none };
-    let stop = [apart.abs(), -apart.signum() * real(rate) * size];
-    let sides = match told.stops {
-        true if apart < 0.0 => [stop, none],
-        true => [none, stop],
-        false => [none; 2],
-    };
-    Some([slips, sides[0], sides[1]])
+    if told.rubs {
+        near[0] = [forward(mode, rate), forward(mode, told.rate) * size];
+    }
+    let apart = real(told.apart);
+    if told.stops {
+        near[if apart < 0.0 { 1 } else { 2 }] = [apart.abs(), -apart.signum() * real(rate) * size];
+    }
+    near
 }
 
 /// Where a cubic between two ends is least within, if it is next to nothing or less there, beside the ends.
