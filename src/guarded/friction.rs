@@ -25,7 +25,8 @@ use crate::scalar::{Real, Scalar};
 ///
 /// Runs over jets and dual numbers have the first derivatives of what happens, as those of [`HardStops`]. Where a joint breaks away from more
 /// friction than it slips with, accelerations jump at a time that hangs on how fast forces grow: that is taken from how they have grown within the step,
-/// to order four in its size, and a run whose derivatives hang on it is refused where they have hardly grown.
+/// to order four in its size, and a run whose derivatives hang on it is refused where they have hardly, or not steadily, grown. Derivatives of the rate
+/// of a joint that sticks where a run begins are lost at once, as in a shock: friction halts in no time what there is of them.
 ///
 /// Under error control, steps in which a joint sticks are looked at in their middle, closer where friction changes by more than a tenth of that
 /// at which the joint breaks away, and then grow no further. A joint that comes to rest and slips on within a step is seen where accelerations at both ends tell of it. A load that comes and goes between two looks while all is at rest is not seen:

@@ -29,7 +29,7 @@ use num_traits::One;
 ///
 /// Runs over jets and dual numbers have the first derivatives of what happens: when a joint strikes hangs on all that is differentiated, and what
 /// that changes is added where the mode changes, exact but for the error of the step that ends there. Second derivatives past such a time are
-/// refused, steps of [`MoreauJean`], whose derivatives would be others, joints that are driven beside, and a start that strikes, by its distance from the stop. Where two joints
+/// refused, steps of [`MoreauJean`], whose derivatives would be others, joints that are driven beside, and a start at a stop, by how it stands there. Where two joints
 /// strike at one instant, derivatives are those of the order in which they do; where one only just touches its stop, they grow without bound.
 ///
 /// ```

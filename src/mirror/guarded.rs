@@ -6,6 +6,7 @@ use crate::lift::Lift;
 use crate::scalar::Scalar;
 use core::fmt::Debug;
 use core::marker::PhantomData;
+use num_traits::Zero;
 
 /// What guards a coordinate, so that its joint has modes.
 pub trait Guarding: Copy + Debug + 'static {
@@ -87,7 +88,7 @@ impl<T: Scalar, K: Guarding> Guarded<T, K> {
     pub(crate) fn mode_at(&self, rate: &GuardedRate<T>) -> Mode {
         match self.mode {
             Mode::Sticks => Mode::of(rate.rate),
-            Mode::RestsBelow | Mode::RestsAbove if !rate.rate.is_zero() => Mode::at(rate.rate, K::RUBS),
+            Mode::RestsBelow | Mode::RestsAbove if !rate.rate.real().is_zero() => Mode::at(rate.rate, K::RUBS),
             mode => mode,
         }
     }

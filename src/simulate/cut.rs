@@ -144,14 +144,12 @@ where
     /// For how long the joint that is to change its mode has been beyond its stop (s), if it strikes one.
     fn beyond(&mut self) -> f64 {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
-        let (earliest, mut count, mut time) = (Self::margins(&mut next).1, 0, 0.0);
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
-            if count == earliest && nearness(*mode, &told).is_some_and(|near| near > 1.0) {
-                time = -(told.apart / *rate).real().as_f64();
-            }
-            count += 1;
-        });
-        time
+        let earliest = Self::margins(&mut next).1;
+        let beyond = |(mode, rate, told): (Mode, S::Scalar, Told<S::Scalar>)| {
+            let near = nearness(mode, &told).filter(|near| *near > 1.0);
+            near.map_or(0.0, |_| -(told.apart / rate).real().as_f64())
+        };
+        Self::joint(&mut next, earliest).map_or(0.0, beyond)
     }
 
     /// Makes the step anew, as long as a share of it; gives the least margin at its end.
@@ -183,11 +181,7 @@ where
     /// Changes the mode of a joint that does not move although nothing holds it where a step of a size (s) begins; whether there is one.
     fn lets_go(&mut self, size: RealOf<S>) -> Result<bool, Error> {
         let (margin, least) = Self::margins(&mut self.past);
-        let (mut locked, mut count) = (false, 0);
-        self.past.position.each_mode(&mut self.past.rate, &self.past.acceleration, &mut |mode, _, _| {
-            locked |= count == least && mode.is_locked();
-            count += 1;
-        });
+        let locked = Self::joint(&mut self.past, least).is_some_and(|(mode, ..)| mode.is_locked());
         if !locked || margin > 0.0 {
             return Ok(false);
         }

@@ -13,11 +13,12 @@
 use super::drive::Running;
 use super::margin::{meets, touched};
 use super::now::settled;
+use super::strike::Blow;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};
-use crate::mirror::{Mode, Position, Rate, Told};
+use crate::mirror::{Mode, Position, Rate};
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::{Dynamics, MotionOf, PositionOf, RateOf, Runs, System};
@@ -34,8 +35,10 @@ pub(super) enum Delay<T> {
     Locked(T),
 }
 
-/// The slope at the end of four equal parts, by values from there back, of order four.
-const SLOPE: [f64; 5] = [25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25];
+/// The slope at the end of four equal parts, by values from there back, of orders four and two.
+const SLOPES: [[f64; 5]; 2] = [[25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25], [1.5, -2.0, 0.5, 0.0, 0.0]];
+/// By such a share the two may differ of what grows steadily; beside a jump they differ by 0.28 of the first.
+const STEADY: f64 = 0.1;
 
 /// A number without what it is but for derivatives.
 pub(super) fn varied<T: Scalar>(number: T) -> T {
@@ -57,26 +60,12 @@ where
     /// Whether numbers have derivatives.
     pub(super) const DERIVED: bool = size_of::<S::Scalar>() > size_of::<RealOf<S>>();
 
-    /// What the joint of a number does, its rate, and what is told of it.
-    pub(super) fn joint(
-        motion: &mut MotionOf<S, R, C, P>,
-        number: usize,
-    ) -> Option<(Mode, S::Scalar, Told<S::Scalar>)> {
-        let (mut found, mut count) = (None, 0);
-        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            if count == number {
-                found = Some((*mode, *rate, told));
-            }
-            count += 1;
-        });
-        found
-    }
-
     /// How much later the joint of a number changes its mode than at a motion with all its accelerations; `pace` tells how fast the guard of one that
     /// does not move changes (1/s).
     ///
     /// # Errors
-    /// Where it is a joint that moves, as [`jumps`](Self::jumps).
+    /// [`Fault::Unsupported`] for higher derivatives: where accelerations do not jump, their slopes do. Where it is a joint that moves, as
+    /// [`jumps`](Self::jumps), and [`Fault::NotFinite`] where it does not pass on.
     pub(super) fn delay(
         &mut self,
         motion: &mut MotionOf<S, R, C, P>,
@@ -94,6 +83,10 @@ where
         if guard.is_identical(S::Scalar::zero()) {
             return Ok(Delay::None);
         }
+        if !(guard * guard).is_identical(S::Scalar::zero()) {
+            let what = "derivatives above the first, or numbers side by side, of a run past a change of mode";
+            return Err(Error::new(Fault::Unsupported { what }).at_time(motion.time.as_f64()));
+        }
         let speed = if locked { pace(self, due) } else { changes.real() };
         let delay = guard.scale(-RealOf::<S>::one() / speed);
         if locked {
@@ -106,22 +99,20 @@ where
     /// Whether there are jump terms for a delay.
     ///
     /// # Errors
-    /// [`Fault::Unsupported`] for higher derivatives, where joints are driven, and for no number.
+    /// [`Fault::Unsupported`] where joints are driven, and for no number.
     fn jumps(delay: S::Scalar, time: RealOf<S>) -> Result<(), Error> {
-        let what = if !delay.is_finite() {
-            "derivatives of a run past where a joint breaks away that was hardly pulled before"
-        } else if const { PositionOf::<S, R, C>::CLOCKED } {
+        let what = if const { PositionOf::<S, R, C>::CLOCKED } {
             "derivatives of a run in which joints are driven past a change of mode"
-        } else if (delay * delay).is_identical(S::Scalar::zero()) {
+        } else if delay.is_finite() {
             return Ok(());
         } else {
-            "derivatives above the first, or numbers side by side, of a run past a change of mode"
+            "derivatives of a run past where a joint breaks away that was hardly, or not steadily, pulled before"
         };
         Err(Error::new(Fault::Unsupported { what }).at_time(time.as_f64()))
     }
 
     /// How fast what guards a joint that does not move changes (1/s) at the end of a step of a size (s), by what it was within, or, of a negative
-    /// size, at the beginning of a step. No number where it has changed by rounding.
+    /// size, at the beginning of a step. No number where it has changed by rounding, or a slope of order two is another, as beside a load that jumps.
     pub(super) fn pace(&mut self, due: usize, size: RealOf<S>) -> RealOf<S> {
         let guards = [0, 1, 2, 3, 4].map(|part| {
             let share = f64::from(part) / 4.0;
@@ -129,9 +120,11 @@ where
             let mut motion = settled(self.plan.system, self.plan.loads, &self.between);
             Self::joint(&mut motion, due).map_or(0.0, |(_, _, told)| told.guard.real().as_f64())
         });
-        let change: f64 = guards.iter().zip(SLOPE).map(|(guard, weight)| weight * guard).sum();
+        let [change, rough] =
+            SLOPES.map(|weights| weights.iter().zip(guards).map(|(weight, guard)| weight * guard).sum::<f64>());
         let changes = (guards[0] - guards[4]).abs() > RealOf::<S>::EPSILON.sqrt().as_f64();
-        RealOf::<S>::of(if changes { 4.0 * change } else { f64::NAN }) / size
+        let steadily = (change - rough).abs() <= STEADY * change.abs();
+        RealOf::<S>::of(if changes && steadily { 4.0 * change } else { f64::NAN }) / size
     }
 
     /// Goes on by a time that is zero but for derivatives.
@@ -172,18 +165,31 @@ where
         }
     }
 
-    /// Refuses a start in which a joint strikes whose distance from its stop has derivatives: whether it strikes at all hangs on these.
+    /// Takes derivatives of their rates from joints that do not move, as a shock does: friction halts in no time what there is of them.
+    pub(super) fn halted(&mut self) -> Result<(), Error> {
+        let mut joint = 0;
+        while let Some((mode, rate, _)) = Self::joint(&mut self.next, joint) {
+            if mode.is_locked() && !rate.is_identical(S::Scalar::zero()) {
+                self.give(&Blow { joint, rate, restitution: S::Scalar::zero() })?;
+            }
+            joint += 1;
+        }
+        let (system, loads) = (self.plan.system, self.plan.loads);
+        system.accelerate(&mut self.next, loads, &mut Dynamics::<L>::workspace(system))
+    }
+
+    /// Refuses a start in which a joint strikes its stop, or stands at it, by what has derivatives: whether it strikes at all hangs on these.
     ///
     /// # Errors
     /// [`Fault::Unsupported`].
     pub(super) fn strikes_surely(&mut self) -> Result<(), Error> {
         let (mut unsure, motion) = (false, &mut self.next);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            let side = touched(*mode, &told);
-            let strikes = side.is_some_and(|side| side * rate.real().as_f64() > 0.0);
-            unsure |= strikes && !varied(told.apart).is_identical(S::Scalar::zero());
+            let Some(side) = touched(*mode, &told) else { return };
+            let (speed, sure) = (side * rate.real().as_f64(), |x: S::Scalar| varied(x).is_identical(S::Scalar::zero()));
+            unsure |= speed >= 0.0 && !(sure(told.apart) && (speed > 0.0 || sure(*rate)));
         });
-        let what = "derivatives by the distance of a joint from its stop of a run that begins where it strikes";
+        let what = "derivatives of a run that begins where a joint touches its stop, by how it does";
         let refused = Error::new(Fault::Unsupported { what }).at_time(motion.time.as_f64());
         if unsure { Err(refused) } else { Ok(()) }
     }

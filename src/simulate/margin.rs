@@ -49,7 +49,7 @@ pub(super) fn touched<T: Scalar>(mode: Mode, told: &Told<T>) -> Option<f64> {
 
 /// The mode of a joint that touches a stop and does not move: it rests, if it does not leave.
 pub(super) fn rests<T: Scalar>(mode: Mode, rate: T, told: &Told<T>) -> Option<Mode> {
-    let side = touched(mode, told).filter(|_| rate.is_zero())?;
+    let side = touched(mode, told).filter(|_| rate.real().is_zero())?;
     // Half of what a joint leaves its stop at: one that has just left does not come to rest again by rounding.
     let stays = side * told.rate.real().as_f64() > -0.5 * Mode::reluctance::<T::Real>().as_f64();
     // Friction against a slip into its stop would push it away.

@@ -19,10 +19,10 @@ const BLOWS: [usize; 2] = [256, 10_000];
 const ROUNDINGS: f64 = 64.0;
 
 /// A joint that strikes: its number, its rate, and the share of that which it gets back.
-struct Blow<T> {
-    joint: usize,
-    rate: T,
-    restitution: T,
+pub(super) struct Blow<T> {
+    pub(super) joint: usize,
+    pub(super) rate: T,
+    pub(super) restitution: T,
 }
 
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
@@ -54,7 +54,7 @@ where
             system.accelerate(next, loads, &mut workspace)?;
             let Some(mut blow) = Self::fastest(next, still) else {
                 next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
-                    let rests = touched(*mode, &told).filter(|_| told.rubs && rate.is_zero());
+                    let rests = touched(*mode, &told).filter(|_| told.rubs && rate.real().is_zero());
                     *mode = rests.map_or(Mode::at(*rate, told.rubs), Mode::resting);
                 });
                 self.settle_modes(None)?;
@@ -121,7 +121,7 @@ where
     }
 
     /// Changes all rates by a blow.
-    fn give(&mut self, blow: &Blow<S::Scalar>) -> Result<(), Error> {
+    pub(super) fn give(&mut self, blow: &Blow<S::Scalar>) -> Result<(), Error> {
         let mut response = self.response(blow.joint)?;
         let [rate, restitution] = [blow.rate, blow.restitution].map(|x| x.real().as_f64());
         let (next, change) = (&mut self.next, -(1.0 + restitution) * rate);

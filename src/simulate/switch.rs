@@ -8,7 +8,7 @@ use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Mode, Position, let_all_go, let_last_go};
+use crate::mirror::{Mode, Position, Told, let_all_go, let_last_go};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System};
@@ -65,6 +65,21 @@ where
         least
     }
 
+    /// What the joint of a number does, its rate, and what is told of it.
+    pub(super) fn joint(
+        motion: &mut MotionOf<S, R, C, P>,
+        number: usize,
+    ) -> Option<(Mode, S::Scalar, Told<S::Scalar>)> {
+        let (mut found, mut count) = (None, 0);
+        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+            if count == number {
+                found = Some((*mode, *rate, told));
+            }
+            count += 1;
+        });
+        found
+    }
+
     /// Changes the mode of the joint that has ended the step, and of those that change with it; `pace` tells how fast the guard of a joint that does
     /// not move changes (1/s).
     pub(super) fn switch(&mut self, pace: impl FnOnce(&mut Self, usize) -> RealOf<S>) -> Result<(), Error> {
@@ -106,15 +121,17 @@ where
                 *mode = Mode::of(*rate);
             }
         });
-        if !stops {
-            return self.settle_modes(None);
+        if stops {
+            let_all_go(&mut next.position, &mut next.rate, &next.acceleration);
+            self.stands_between()?;
+            if const { Self::DERIVED } {
+                self.strikes_surely()?;
+            }
+            self.strike()?;
+        } else {
+            self.settle_modes(None)?;
         }
-        let_all_go(&mut next.position, &mut next.rate, &next.acceleration);
-        self.stands_between()?;
-        if const { Self::DERIVED } {
-            self.strikes_surely()?;
-        }
-        self.strike()
+        if const { Self::DERIVED } { self.halted() } else { Ok(()) }
     }
 
     /// Finds modes that belong together where the next step begins, and the accelerations there: what friction does not hold breaks away,
@@ -136,7 +153,7 @@ where
                 let (just, side) = (changed == Some(count), touched(*mode, &told));
                 let pressed = side.is_some_and(|side| side * told.rate.real().as_f64() > -rounding);
                 let resting = rests(*mode, *rate, &told).filter(|_| pressed || !just);
-                let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && rate.is_zero();
+                let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && rate.real().is_zero();
                 let second = if slips { forward(*mode, told.rate) } else { 0.0 };
                 let back = second < rounding;
                 if second < 0.0 && !just {
@@ -202,12 +219,12 @@ where
         now.position.each_mode(&mut now.rate, &now.acceleration, &mut |mode, rate, told| {
             let (slips, second) = (matches!(*mode, Mode::SlipsForward | Mode::SlipsBack), told.rate);
             let gain = second.real().as_f64().abs() * still;
-            if at_event && slips && !rate.is_zero() && rate.real().as_f64().abs() <= gain {
+            if at_event && slips && !rate.real().is_zero() && rate.real().as_f64().abs() <= gain {
                 (*rate, due) = (S::Scalar::zero(), true);
             }
-            let pushed_back = slips && rate.is_zero() && forward(*mode, second) < 0.0;
+            let pushed_back = slips && rate.real().is_zero() && forward(*mode, second) < 0.0;
             let strikes = touched(*mode, &told).is_some_and(|side| side * rate.real().as_f64() > 0.0);
-            let moved = mode.is_locked() && !rate.is_zero();
+            let moved = mode.is_locked() && !rate.real().is_zero();
             let passed = margin(*mode, *rate, &told) < 0.0;
             due |= passed || pushed_back || strikes || moved || rests(*mode, *rate, &told).is_some();
         });

@@ -63,7 +63,7 @@ fn moves_as_modes_say<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut Motio
     next.copy_state(past);
     let (mut against, touching) = (false, TimeIn::<D, L>::one() + Mode::touch());
     next.position.each_mode(&mut next.rate, &past.acceleration, &mut |mode, rate, told| {
-        let moves = !mode.is_locked() || !rate.is_zero();
+        let moves = !mode.is_locked() || !rate.real().is_zero();
         let beyond = told.stops && moves && told.guard.real().abs() > touching;
         let outward = beyond && (told.guard * *rate).real() > Zero::zero();
         against |= outward || (mode.sign::<D::Scalar>() * *rate).real() < Zero::zero();

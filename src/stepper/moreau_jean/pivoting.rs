@@ -7,6 +7,7 @@
 
 use crate::mirror::{Mode, Position, Rate, Told, let_last_go};
 use crate::scalar::{Real, Scalar};
+use num_traits::Zero;
 
 /// So many passes may change all at once without there being fewer of them.
 const PATIENCE: usize = 3;
@@ -106,7 +107,7 @@ impl Pivoting {
 
 /// What a joint does at the start of a step, as far as it is known.
 pub(super) fn begun<T: Scalar>(mode: Mode, rate: T, rubs: bool) -> Mode {
-    if !rate.is_zero() {
+    if !rate.real().is_zero() {
         return Mode::at(rate, rubs);
     }
     match mode.stop() {

@@ -68,3 +68,16 @@ fn one_lane_that_is_not_finite_makes_the_bundle_not_finite() {
         }
     }
 }
+
+#[test]
+fn joints_with_modes_are_refused_in_lanes() -> Result<(), catena::Error> {
+    use catena::Fault;
+    use catena::planar::*;
+    let of = |x: f64| WideF64x4::from([x; 4]);
+    let stop = HardStops::between(Slider::along(of(0.0)), [of(0.0), of(1.0)]);
+    let body = RigidBody::new(of(1.0), of(0.1), [of(0.0); 2], [of(0.0); 2]);
+    let scene = System::new(Clamped::origin(), (stop, body), Free)?;
+    let fault = scene.simulation(Rk4::step(0.1)).run(scene.motion(), 1.0, |_| ()).expect_err("lanes").error.fault;
+    assert!(matches!(fault, Fault::Unsupported { what } if what.contains("lanes")), "{fault}");
+    Ok(())
+}
