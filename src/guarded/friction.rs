@@ -23,7 +23,8 @@ use crate::scalar::{Real, Scalar};
 /// that sticks rests anywhere within what friction holds, and mechanisms that come to rest with more such joints than they have freedoms: what
 /// each of them bears is not determined.
 ///
-/// Runs over jets and dual numbers have the first derivatives of what happens, as those of [`HardStops`]. Where a joint breaks away from more
+/// Runs over jets and dual numbers have the first derivatives of what happens, as those of [`HardStops`], and so do
+/// [gradients backward](crate::sensitivity::Backward::course). Where a joint breaks away from more
 /// friction than it slips with, accelerations jump at a time that hangs on how fast forces grow: that is taken from how they have grown within the step,
 /// to order four in its size, and a run whose derivatives hang on it is refused where they have hardly, or not steadily, grown. Derivatives of the rate
 /// of a joint that sticks where a run begins are lost at once, as in a shock: friction halts in no time what there is of them.

@@ -1,5 +1,6 @@
 //! Joints with modes: what keeps the coordinate of a joint from moving at times, and what it does when it moves.
 
+pub(crate) mod backward;
 mod bounded;
 mod friction;
 mod given;
@@ -63,6 +64,21 @@ impl<J, G, L> Guarded<J, G, L> {
         Guarded { joint, guard, law }
     }
 
+    /// The joint inside.
+    pub(crate) fn joint(&self) -> &J {
+        &self.joint
+    }
+
+    /// What guards its coordinate.
+    pub(crate) fn guard(&self) -> &G {
+        &self.guard
+    }
+
+    /// The law along the coordinate.
+    pub(crate) fn law(&self) -> &L {
+        &self.law
+    }
+
     /// What acts along the coordinate.
     fn acting<T: Scalar>(
         &self,
@@ -88,7 +104,7 @@ impl<J, G, L> Guarded<J, G, L> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Grip<T, K> {
     /// Gains by which the coordinate goes on.
-    own: K,
+    pub(crate) own: K,
     /// What is told of a joint that moves.
     told: [T; 3],
     /// Of a joint whose acceleration is given: its mode, that acceleration, gains by which it would go otherwise, and under the force on trial.

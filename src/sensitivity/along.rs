@@ -7,13 +7,15 @@ use crate::driven::{Driven, MotionLaw};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::error::{Error, Fault};
-use crate::inner::Drivable;
+use crate::guarded::{Guard, Guarded};
+use crate::inner::{Drivable, Guardable};
 use crate::lift::Lift;
 use crate::mechanics::planar::adjoint::{BODY, LAW_NUMBERS, NUMBERS_OF_JOINT, numbers};
 use crate::mechanics::planar::{
     Acceleration, Base, Body, ElasticHinge, Frame, HingeAxes, Linear, Pin, Planar, PointMass, RigidBody, Rod, Slider,
     Weld,
 };
+use crate::mirror::Mode;
 use crate::scalar::{Elementary, Jet, Real, Scalar};
 use crate::shape::{
     Around, AtClosing, Closing, Of, PerBody, PerJoint, Ref, Selective, Shape, Takes, Walk, alike_in_arms,
@@ -69,6 +71,13 @@ impl<T: Scalar, const K: usize> Along<T, K> {
     /// Adds what one of several laws of a joint does: each has a share of its numbers.
     pub(super) fn add_law(&mut self, law: &impl Lift<Jet<T, K>, T>, by: &[T]) {
         self.add_numbers(law, by, NUMBERS, NUMBERS - LAW_NUMBERS);
+    }
+
+    /// Adds what a joint with modes does while they stay: the friction of its slip, and its law. What a change of mode does is besides.
+    pub(super) fn add_guarded(&mut self, friction: Jet<T, K>, law: &impl Lift<Jet<T, K>, T>, by: &[T]) {
+        let Some((of_friction, of_law)) = by.split_first() else { return };
+        self.add(*of_friction, friction);
+        self.add_numbers(law, of_law, of_law.len().min(NUMBERS), 0);
     }
 
     /// Adds what a joint with a rotary law does.
@@ -186,6 +195,23 @@ where
 {
     fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
         walk.add_joint(self, by);
+    }
+}
+
+impl<T: Scalar, J, G, L, const K: usize> Takes<Planar<Jet<T, K>>, Along<T, K>> for Guarded<J, G, L>
+where
+    J: Guardable<Planar<Jet<T, K>>> + Lift<Jet<T, K>, T>,
+    G: Guard<Jet<T, K>>,
+    L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
+        let mut own = 0;
+        self.joint().lift(&mut |number: Jet<T, K>| {
+            own += 1;
+            number.re
+        });
+        walk.add_joint(self.joint(), by);
+        walk.add_guarded(self.guard().resists(Mode::SlipsForward), self.law(), &by[own..]);
     }
 }
 

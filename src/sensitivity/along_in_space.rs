@@ -9,7 +9,8 @@ use crate::driven::{Driven, MotionLaw};
 use crate::element::Element;
 use crate::ends::Root;
 use crate::error::Error;
-use crate::inner::Drivable;
+use crate::guarded::{Guard, Guarded};
+use crate::inner::{Drivable, Guardable};
 use crate::lift::Lift;
 use crate::mechanics::spatial::adjoint::{BODY, numbers};
 use crate::mechanics::spatial::axial::{Axial, aside};
@@ -17,6 +18,7 @@ use crate::mechanics::spatial::{
     Acceleration, Ball, Base, Cylindrical, ElasticHinge, Floating, Frame, Inertial, Linear, OfJoint, PointMass,
     Prismatic, Revolute, RigidBody, Rod, RotaryLaw, Spatial, Universal, Weld,
 };
+use crate::mirror::Mode;
 use crate::relation::spatial::algebra::{Columns, cross, dot};
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{
@@ -194,6 +196,18 @@ where
     fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
         self.joint().add_to(walk, by);
         walk.add_numbers(self.law(), &by.law, NUMBERS, 0);
+    }
+}
+
+impl<T: Scalar, J, G, L, const K: usize> Takes<Spatial<Jet<T, K>>, Along<T, K>> for Guarded<J, G, L>
+where
+    J: Guardable<Spatial<Jet<T, K>>> + Numbered<T, K>,
+    G: Guard<Jet<T, K>>,
+    L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
+{
+    fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Spatial<Jet<T, K>>, Along<T, K>, Self>) {
+        self.joint().add_to(walk, by);
+        walk.add_guarded(self.guard().resists(Mode::SlipsForward), self.law(), &by.law);
     }
 }
 

@@ -52,7 +52,7 @@
 //!
 //! Where joints strike [hard stops](crate::planar::HardStops), stick and slip ([`Coulomb`](crate::planar::Coulomb)), modes change at times that hang
 //! on what is differentiated. Runs over jets and dual numbers take that into account: their derivatives are those of the motion, shocks
-//! included. They go by the rule itself, and not backward.
+//! included. They go by the rule itself; backward goes a [`course`](Backward::course).
 //!
 //! # What does not go through gains
 //!
@@ -73,6 +73,8 @@
 
 mod along;
 mod along_in_space;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod along_past;
 mod along_robots;
 mod backward;
 mod couplings;
@@ -85,13 +87,25 @@ mod struts;
 
 pub use crate::adjoint::struts::ByStrut;
 pub use backward::{Backward, Checkpoints, Tape};
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use backward::{Course, PastGradient};
 pub use forward::{SensitiveWorkspace, Sensitivity};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use front::{Derivatives, Differentiable, Plan, Seeded, Way};
 pub use gradient::{Costate, Gradient};
 pub use stepper::SensitiveStepper;
 
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+use crate::loading::EffortOf;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+use crate::space::RealOf;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+use crate::system::MotionOf;
 use crate::time::{Explicit, Rule};
+
+/// A run of a scene past changes of mode.
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+type CourseOf<S, R, C, P> = Course<MotionOf<S, R, C, P>, EffortOf<S>, RealOf<S>>;
 
 /// An explicit method whose derivatives go through kept gains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -185,6 +185,15 @@ where
         if !locked || margin > 0.0 {
             return Ok(false);
         }
+        self.let_go(size)?;
+        core::mem::swap(&mut self.past, &mut self.next);
+        self.value = self.value(Shown::Past)?;
+        Ok(true)
+    }
+
+    /// Changes the mode of the joint that is held least where a step of a size (s) begins: what is next is then the motion there.
+    pub(super) fn let_go(&mut self, size: RealOf<S>) -> Result<(), Error> {
+        let (_, least) = Self::margins(&mut self.past);
         let mut pace = RealOf::<S>::zero();
         if const { Self::DERIVED } {
             let memory = self.stepper.memory();
@@ -192,10 +201,7 @@ where
             pace = self.pace(least, -size);
         }
         self.next = self.past.clone();
-        self.switch(|_, _| pace)?;
-        core::mem::swap(&mut self.past, &mut self.next);
-        self.value = self.value(Shown::Past)?;
-        Ok(true)
+        self.switch(|_, _| pace)
     }
 
     /// Ends the step where the first of all joints is to change its mode, if one is: by steps made anew, so that the rule's order is that of

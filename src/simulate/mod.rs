@@ -2,6 +2,8 @@
 //! Many runs at once are an `ensemble` (feature `rayon`).
 
 mod accept;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub(crate) mod anew;
 pub(crate) mod crossing;
 mod cut;
 mod drive;

@@ -120,7 +120,7 @@ pub struct Saved<M, K, R> {
 type SavedOf<S, R, C, P, K> = Saved<MotionOf<S, R, C, P>, K, RealOf<S>>;
 
 impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Simulation<'a, S, R, C, P, L, M, E> {
-    fn running<O>(
+    pub(super) fn running<O>(
         self,
         past: MotionOf<S, R, C, P>,
         end: RealOf<S>,
@@ -226,6 +226,12 @@ where
     /// The last motion.
     pub fn motion(&self) -> &MotionOf<S, R, C, P> {
         &self.past
+    }
+
+    /// That in which the last step began, with modes that have changed there.
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))] // for gradients
+    pub(crate) fn began(&self) -> &MotionOf<S, R, C, P> {
+        &self.next
     }
 
     /// The stepper, to be asked what its rule knows of itself.

@@ -8,10 +8,11 @@ use crate::element::{Element, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
 use crate::loading::{EffortOf, Loading};
+use crate::mirror::Position;
 use crate::relation::{Absent, Additive};
 use crate::scalar::Real;
 use crate::system::Dynamics;
-use crate::system::{Elements, MotionOf, Runs, System};
+use crate::system::{Elements, MotionOf, PositionOf, Runs, System};
 use crate::walks::fits::fits;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
@@ -58,8 +59,17 @@ where
         scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
     }
 
-    /// Refuses lists of torques of another length, parameters that make no rule, and a law of loads that does not fit the scene.
+    /// Refuses what [`suits`](Self::suits) does, and joints with modes, which runs past changes of mode alone know.
     pub(super) fn admits(&self, steps: usize, given: usize) -> Result<(), Error> {
+        if const { PositionOf::<S, R, C>::MODES } {
+            let what = "the gradient of a run whose joints have modes, but past their changes: `Backward::course`";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
+        self.suits(steps, given)
+    }
+
+    /// Refuses lists of torques of another length, parameters that make no rule, and a law of loads that does not fit the scene.
+    pub(super) fn suits(&self, steps: usize, given: usize) -> Result<(), Error> {
         self.method.fault().map_or(Ok(()), |fault| Err(Error::new(fault)))?;
         // Where such laws were read stands in the stage, but for a prediction.
         if Steps::<S, R, C, P, M, L>::FOLLOWS

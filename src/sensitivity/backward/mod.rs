@@ -7,6 +7,8 @@ mod assembly;
 mod between;
 mod checkpoints;
 mod costates;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod course;
 mod events;
 mod held;
 mod implicit;
@@ -15,6 +17,8 @@ mod linear;
 mod loads;
 mod memory;
 mod metric;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod past;
 mod projection;
 mod record;
 mod rules;
@@ -34,6 +38,12 @@ use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 pub use checkpoints::Checkpoints;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use course::Course;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub(super) use course::Efforts;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+pub use past::PastGradient;
 use record::RecordOf;
 use rules::Staged;
 use steps::Steps;
@@ -116,6 +126,10 @@ pub use tape::Tape;
 ///
 /// Joints in all of these may be [`Driven`](crate::planar::Driven) by a law that can be lifted: its numbers are parameters, and the time of an
 /// event in such a scene has no gradient. Joints may [follow others](crate::planar::Couplings) where nothing is held or closed.
+///
+/// Joints with modes, [`Coulomb`](crate::planar::Coulomb) and [`HardStops`](crate::planar::HardStops), change these at times that hang on everything:
+/// such runs are made by [`course`](Self::course), by explicit rules, and their gradients by [`gradient_past`](Self::gradient_past); torques are held
+/// over the run, and nothing acts on bodies. All else here refuses such scenes.
 ///
 /// The ground of a root may [move](crate::planar::Moving), as long as nothing is held and no loop closes: parameters of its motion are not among the
 /// derivatives, and are refused where the gradient is asked for along them.

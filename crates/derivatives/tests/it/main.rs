@@ -16,6 +16,7 @@ mod implicit_in_space;
 mod implicit_runs;
 mod loop_runs;
 mod loops;
+mod past_changes;
 mod recognised;
 #[macro_use]
 mod robots;

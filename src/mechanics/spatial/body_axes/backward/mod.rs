@@ -6,6 +6,7 @@
 //! leave as it is, and which is nothing where there is no flange.
 
 mod driven;
+mod guarded;
 pub mod joints;
 pub mod links;
 pub mod mounts;

@@ -1,0 +1,349 @@
+//! Gradients of runs past changes of mode: against closed forms, and against the same runs over jets, which go forward by the rule itself.
+//!
+//! Bounds: closed forms of parabolas are met to the rounding of instants found, 1e-10; jets, which differ by the order of sums alone and are
+//! amplified by shocks, to 1e-9 of the largest of all derivatives.
+
+use catena::planar::*;
+use catena::scalar::{Jet, Scalar};
+use catena::{Error, Fault, robot, spatial};
+use catena_oracle::{Noise, near};
+use std::f64::consts::FRAC_PI_2;
+
+/// So many derivatives at a time.
+const WIDTH: usize = 8;
+
+/// The gradient of a number read of the last state, by the numbers of a scene and its start, against the same over jets: of the last coordinate and
+/// of the last rate. `$scene` makes scene and start of numbers.
+macro_rules! as_forward {
+    ($rule:expr, $method:expr, $end:expr, $bound:expr, $numbers:expr, |$x:ident, $T:ident| $scene:expr) => {{
+        #[allow(unused_macros)]
+        macro_rules! made {
+            ($list:expr, $Number:ty) => {{
+                #[allow(dead_code)]
+                type $T = $Number;
+                let $x: &[$T] = $list;
+                $scene
+            }};
+        }
+        let numbers: Vec<f64> = $numbers.to_vec();
+        let (scene, start) = made!(&numbers, f64);
+        let mut backward = scene.backward($method);
+        let course = backward.course(&start, $rule, $end, &[])?;
+        let (last, n) = (course.states().len() - 1, start.rates().len());
+        let (mut found, mut expected) = (vec![], vec![]);
+        for of in 0..2 {
+            let mut unit = [vec![0.0; n], vec![0.0; n]];
+            unit[of][n - 1] = 1.0;
+            let gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
+                if step == last { by.add(&unit[0], &unit[1]) } else { Ok(()) }
+            })?;
+            for first in (0..numbers.len()).step_by(WIDTH) {
+                type Many = Jet<f64, WIDTH>;
+                let seeds: Vec<_> =
+                    numbers.iter().enumerate().map(|(k, x)| Many::seed(*x, k.wrapping_sub(first))).collect();
+                let (scene, start) = made!(&seeds, Many);
+                let (along, by_start) = (gradient.along(&scene)?, gradient.along_start(&start)?);
+                let end = scene.simulation($rule).run(start, $end, |_| ()).map_err(|stopped| stopped.error)?.motion;
+                let list = if of == 0 { end.coordinates() } else { end.rates() };
+                let Some(end) = list.last() else { continue };
+                for k in 0..WIDTH.min(numbers.len() - first) {
+                    found.push(along[k] + by_start[k]);
+                    expected.push(end.eps[k]);
+                }
+            }
+        }
+        let most = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+        for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
+            assert!((found - expected).abs() <= $bound * most, "{k}: {found} {expected}");
+        }
+        course.changes().count()
+    }};
+}
+
+#[test]
+fn a_block_that_bounces() -> Result<(), Error> {
+    let end = |time: f64, [height, share, gravity]: [f64; 3]| {
+        // Past the first shock, before the second one.
+        let first = f64::sqrt(2.0 * height / gravity);
+        let (left, speed) = (time - first, share * gravity * first);
+        speed * left - 0.5 * gravity * left * left
+    };
+    macro_rules! fall {
+        ($x:expr, $T:ty) => {{
+            let (x, of): (&[$T], _) = (&$x, <$T as Scalar>::literal);
+            let block = RigidBody::new(of(2.0), of(0.1), [of(0.0); 2], [of(0.0); 2]);
+            let slide = HardStops::between(Slider::along(of(FRAC_PI_2)), [of(0.0), of(f64::INFINITY)]).rebounding(x[1]);
+            let scene = System::new(Clamped::origin(), (slide, block), Free)?.with_gravity(x[2]);
+            let mut start = scene.motion();
+            start.set_coordinates(&[x[0]])?;
+            (scene, start)
+        }};
+    }
+    let at = [1.0, 0.7, 9.81];
+    let (scene, start) = fall!(at, f64);
+    macro_rules! runs {
+        ($($method:expr, $rule:expr);*) => {$(
+            let mut backward = scene.backward($method);
+            let course = backward.course(&start, $rule, 0.9, &[])?;
+            assert_eq!(course.changes().count(), 2); // it begins, and strikes once
+            let last = course.states().len() - 1;
+            let gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
+                if step == last { by.add(&[1.0], &[0.0]) } else { Ok(()) }
+            })?;
+            let (seeded, begun) = fall!([0, 1, 2].map(|k| Jet::<f64, 3>::seed(at[k], k)), Jet<f64, 3>);
+            let (along, by_start) = (gradient.along(&seeded)?, gradient.along_start(&begun)?);
+            for k in 0..3 {
+                let [mut above, mut below] = [at; 2];
+                (above[k], below[k]) = (at[k] + 1e-5, at[k] - 1e-5);
+                near(along[k] + by_start[k], (end(0.9, above) - end(0.9, below)) / 2e-5, 1e-9);
+            }
+            near(gradient.by_position()[0], along[0] + by_start[0], 1e-14);
+        )*};
+    }
+    runs!(Rk4, Rk4::step(0.02); Dopri5, Dopri5::tolerance(1e-9); Dop853, Dop853::tolerance(1e-10));
+    Ok(())
+}
+
+#[test]
+fn blocks_that_rub_and_strike() -> Result<(), Error> {
+    // Mass, friction, what gives back, both stops, speed, place, and a spring with damper and rest.
+    let drawer = [2.0, 4.0, 0.5, 0.0, 0.4, -2.0, 0.3, 3.0, 0.2, 0.1];
+    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 2.0, 1e-9, drawer, |x, T| {
+        let of = <T as Scalar>::literal;
+        let law = Spring::new(x[7]).damped(x[8]).resting_at(x[9]);
+        let rail = Coulomb::new(Slider::along(of(0.0)), x[1]).between([x[3], x[4]]).rebounding(x[2]).with(law);
+        let scene =
+            System::new(Clamped::origin(), (rail, RigidBody::new(x[0], of(0.1), [of(0.0); 2], [of(0.0); 2])), Free)?;
+        let mut start = scene.with_rates(scene.motion(), &[x[5]])?;
+        start.set_coordinates(&[x[6]])?;
+        (scene, start)
+    });
+    assert!(changes >= 3, "{changes}");
+    // Half a period at a time, about a place that friction moves.
+    let track = [2.0, 50.0, 1.5, 0.5];
+    for end in [0.2, 0.9, 2.0, 6.0] {
+        as_forward!(Dop853::tolerance(1e-12), Dop853, end, 1e-9, track, |x, T| {
+            let of = <T as Scalar>::literal;
+            let block = RigidBody::new(x[0], of(0.1), [of(0.0); 2], [of(0.0); 2]);
+            let track = Coulomb::new(Slider::along(of(0.0)), x[2]).with(Spring::new(x[1]));
+            let scene = System::new(Clamped::origin(), (track, block), Free)?;
+            let mut start = scene.motion();
+            start.set_coordinates(&[x[3]])?;
+            (scene, start)
+        });
+    }
+    Ok(())
+}
+
+#[test]
+fn random_arms() -> Result<(), Error> {
+    let (mut most, mut refused) = (0, 0);
+    for seed in 0..24 {
+        let mut random = Noise::new(seed);
+        let mut numbers = vec![];
+        let mut between = |least: f64, most: f64| numbers.push(random.between(least, most));
+        (0..4).for_each(|_| {
+            between(0.4, 1.0);
+            between(0.5, 1.5);
+        });
+        // Friction of the shoulder and by how much more it breaks away, stops of the elbow, and of the wrist, which rubs.
+        for (least, most) in [(0.05, 0.8), (1.0, 1.5), (-1.0, -0.2), (0.2, 1.0), (0.2, 0.9), (0.02, 0.4), (-1.0, -0.2)]
+        {
+            between(least, most);
+        }
+        for (least, most) in
+            [(0.2, 1.0), (0.2, 0.9), (8.0, 10.0), (-0.5, 0.5), (-1.0, 1.0), (-0.19, 0.19), (-0.19, 0.19)]
+        {
+            between(least, most);
+        }
+        (0..4).for_each(|_| between(-2.0, 2.0));
+        let compared: Result<usize, Error> = (|| {
+            Ok(as_forward!(Dop853::tolerance(1e-11), Dop853, 0.9, 1e-8, numbers, |x, T| {
+                let rods = [0, 2, 4, 6].map(|k| Rod::uniform(x[k], x[k + 1]));
+                let shoulder = Coulomb::new(Revolute::smooth(), x[8]).breaking_away(x[8] * x[9]);
+                let elbow = HardStops::between(Revolute::smooth(), [x[10], x[11]]).rebounding(x[12]);
+                let wrist = Coulomb::new(Revolute::smooth(), x[13]).between([x[14], x[15]]).rebounding(x[16]);
+                let chain = (rods[0], shoulder, rods[1], elbow, rods[2], wrist, rods[3]);
+                let arm = System::new(Pinned::origin(), chain, Free)?.with_gravity(x[17]);
+                let mut start = arm.motion();
+                start.set_coordinates(&x[18..22])?;
+                let start = arm.with_rates(start, &x[22..26])?;
+                (arm, start)
+            }))
+        })();
+        match compared {
+            Ok(changes) => most = most.max(changes),
+            Err(_) => refused += 1,
+        }
+    }
+    println!("at most {most} changes of mode, {refused} refused");
+    assert!(most > 10 && refused <= 2, "{most} {refused}");
+    Ok(())
+}
+
+#[test]
+fn arms_in_space() -> Result<(), Error> {
+    use spatial::{Ball, Coulomb, Free, HardStops, Pinned, Prismatic, Revolute, RigidBody, System};
+    // A shoulder that is free, an elbow between stops, a slide that rubs between stops, a wrist that rubs.
+    let numbers = [0.9, 0.02, 0.03, 0.01, -0.3, 0.5, 0.6, 0.1, 0.7, -0.1, 0.12, 0.4, -9.81];
+    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 0.8, 1e-8, numbers, |x, T| {
+        let of = <T as Scalar>::literal;
+        let zero = of(0.0);
+        let tensor = [[x[1], zero, zero], [zero, x[2], zero], [zero, zero, x[3]]];
+        let body = RigidBody::new(x[0], tensor, [zero, zero, of(-0.2)], [zero, zero, of(-0.4)]);
+        let elbow = HardStops::between(Revolute::about([of(1.0), zero, zero]), [x[4], x[5]]).rebounding(x[6]);
+        let slide =
+            Coulomb::new(Prismatic::along([zero, of(0.6), of(0.8)]), x[8]).between([x[9], x[10]]).rebounding(x[11]);
+        let wrist = Coulomb::new(Revolute::about([zero, of(1.0), zero]), x[7]).with(Spring::damping(of(0.02)));
+        let scene = System::new(Pinned::origin(), (body, elbow, body, Ball, body, slide, body, wrist, body), Free)?;
+        let scene = scene.with_gravity([zero, zero, x[12]]);
+        let rates = [0.3, 0.5, 0.2, 2.0, 0.1, 0.2, 0.3, -0.4, 1.5].map(of);
+        let start = scene.with_rates(scene.motion(), &rates)?;
+        (scene, start)
+    });
+    assert!(changes > 3, "{changes}");
+    Ok(())
+}
+
+#[test]
+fn robots() -> Result<(), Error> {
+    use robot::{Base, Coulomb, Free, HardStops, Hinge, Link, Slide, System};
+    // An arm whose joints are geared, rub and strike, and a slide between them.
+    let numbers = [2.0, 0.3, 0.4, 0.25, -0.2, 0.6, 0.5, 1.5, -0.05, 0.3, 0.4, 0.2, -9.81, 1.2, -0.8];
+    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, |x, T| {
+        let of = <T as Scalar>::literal;
+        let zero = of(0.0);
+        let link = |mass: T| {
+            let tensor = [[of(0.04), zero, zero], [zero, of(0.03), zero], [zero, zero, of(0.02)]];
+            Link::<T>::new(mass, [of(0.02), of(0.03), of(0.15)], tensor)
+        };
+        let place = [zero, of(0.1), of(0.3)];
+        let elbow =
+            HardStops::between(Hinge::at::<0b110>(place).turned(robot::Quarter::<4>).geared(x[11]), [x[4], x[5]]);
+        let slide = Coulomb::new(Slide::at::<0b110>(place), x[7]).between([x[8], x[9]]).rebounding(x[10]);
+        let wrist =
+            Coulomb::new(Hinge::at::<0b110>(place).turned(robot::Quarter::<8>), x[3]).breaking_away(x[3] * of(1.3));
+        let chain =
+            (Hinge::level(), link(x[0]), elbow.rebounding(x[6]), link(x[1]), slide, link(x[2]), wrist, link(of(0.5)));
+        let scene = System::new(Base::origin(), chain, Free)?.with_gravity([zero, of(2.0), x[12]]);
+        let start = scene.with_rates(scene.motion(), &[x[13], x[14], of(0.3), of(2.0)])?;
+        (scene, start)
+    });
+    assert!(changes > 2, "{changes}");
+    Ok(())
+}
+
+#[test]
+fn a_mechanism_whose_joint_rubs_and_strikes() -> Result<(), Error> {
+    let numbers = [1.0, 2.0, 0.7, 0.6, 0.9, -2.4, 0.1, 0.3, 9.81];
+    let rods = |mass: [f64; 2]| [Rod::uniform(0.5, mass[0]), Rod::uniform(1.2, mass[1]), Rod::uniform(0.9, mass[0])];
+    let [crank, coupler, rocker] = rods([1.0, 2.0]);
+    let plain = System::new(Pinned::origin(), (crank, Revolute::smooth(), coupler, Pin, rocker), Pinned::at(1.0, 0.0))?;
+    let moving = plain.with_rates(plain.at_rest(&[1.0, 0.3, -2.0])?, &[2.0, 0.0, 0.0])?;
+    let moving = plain.assembled(moving, &Unloaded)?;
+    let (closed, rates) = (moving.coordinates(), moving.rates());
+    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, |x, T| {
+        let of = <T as Scalar>::literal;
+        let [crank, coupler, rocker] =
+            [(0.5, x[0]), (1.2, x[1]), (0.9, x[0])].map(|(long, mass)| Rod::uniform(of(long), mass));
+        let joint =
+            Coulomb::new(Revolute::smooth(), x[2]).breaking_away(x[3] + x[2]).between([x[5], x[6]]).rebounding(x[7]);
+        let chain = (crank, joint, coupler, HardStops::between(Revolute::smooth(), [of(-4.0), x[4]]), rocker);
+        let scene = System::new(Pinned::origin(), chain, Pinned::at(of(1.0), of(0.0)))?.with_gravity(x[8]);
+        let mut start = scene.motion();
+        let [crank, coupler, rocker] = [0, 1, 2].map(|k| closed[k]);
+        start.set_coordinates(&[crank, coupler, rocker - crank - coupler].map(of))?;
+        let [crank, coupler, rocker] = [0, 1, 2].map(|k| rates[k]);
+        let start = scene.with_rates(start, &[crank, coupler, rocker - crank - coupler].map(of))?;
+        (scene, start)
+    });
+    assert!(changes > 1, "{changes}");
+    Ok(())
+}
+
+#[test]
+fn torques_and_costs_on_the_way() -> Result<(), Error> {
+    macro_rules! arm {
+        ($T:ty) => {{
+            let of = <$T as Scalar>::literal;
+            let rod = Rod::uniform(of(0.7), of(1.0));
+            let shoulder = Coulomb::new(Revolute::smooth(), of(0.4)).breaking_away(of(0.5));
+            let elbow = HardStops::between(Revolute::smooth(), [of(-0.4), of(0.4)]).rebounding(of(0.5));
+            let arm = System::new(Pinned::origin(), (rod, shoulder, rod, elbow, rod), Free)?.with_gravity(of(9.81));
+            let start = arm.with_rates(arm.motion(), &[of(0.2), of(0.0), of(1.0)])?;
+            (arm, start)
+        }};
+    }
+    let torques = [0.3, -0.2, 0.5];
+    let (arm, start) = arm!(f64);
+    let (mut backward, mut by_torques) = (arm.backward(Dop853), [0.0; 3]);
+    let course = backward.course(&start, Dop853::tolerance(1e-11), 1.2, &torques)?;
+    assert!(course.changes().count() > 4);
+    // The square of the last coordinate at the end.
+    backward.gradient_past(&course, &mut by_torques, |step, now, by| {
+        let twice = if step + 1 == course.states().len() { 2.0 } else { 0.0 };
+        by.add(&[0.0, 0.0, twice * now.coordinates()[2]], &[0.0; 3])
+    })?;
+    let (varied, still) = arm!(Jet<f64, 3>);
+    let seeds = [0, 1, 2].map(|k| Jet::<f64, 3>::seed(torques[k], k));
+    let loads = Loads::none().torques(seeds);
+    let end =
+        varied.simulation(Dop853::tolerance(1e-11)).loads(&loads).run(still, 1.2, |_| ())?.motion.coordinates()[2];
+    by_torques.iter().zip((end * end).eps).for_each(|(found, expected)| near(*found, expected, 1e-8));
+    // Costs of states in order: those before and after a change of mode stand at one time.
+    let mut met = vec![];
+    backward.gradient_past(&course, &mut [], |step, now, _| {
+        met.push((step, now.time()));
+        Ok(())
+    })?;
+    assert!(met.windows(2).all(|pair| pair[0].0 == pair[1].0 + 1 && pair[0].1 >= pair[1].1));
+    assert_eq!((met.len(), met[0].1), (course.states().len(), 1.2));
+    for number in course.changes() {
+        assert_eq!(course.states()[number].time(), course.states()[number - 1].time());
+    }
+    Ok(())
+}
+
+#[test]
+fn what_has_no_gradient_is_refused() -> Result<(), Error> {
+    let body = RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]);
+    let fall = HardStops::between(Slider::along(FRAC_PI_2), [0.0, 1.0]);
+    let scene = System::new(Clamped::origin(), (fall, body), Free)?.with_gravity(9.81);
+    let (start, mut backward) = (scene.motion(), scene.backward(Rk4));
+    let refused = |error: Error, why: &str| {
+        assert!(matches!(error.fault, Fault::Unsupported { what } if what.contains(why)), "{error}");
+    };
+    // Steps alone know no change of mode.
+    let mut states = [start; 3];
+    refused(backward.run(&start, 0.1, 2, &[], &mut states).expect_err("steps"), "course");
+    refused(backward.gradient(&[], &states, &mut [], |_, _, _| Ok(())).err().expect("steps"), "course");
+    let (mut next, mut by_state, none) = (start, [0.0; 4], &mut [][..]);
+    refused(backward.linearised_step(&start, 0.1, &[], &mut next, &mut by_state, none).expect_err("a step"), "course");
+    // A start at a stop: which side of it is another matter.
+    let course = backward.course(&start, Rk4::step(0.1), 0.3, &[])?;
+    refused(backward.gradient_past(&course, &mut [], |_, _, _| Ok(())).err().expect("a stop"), "touches its stop");
+    // Lists of another length, and what is not of this scene.
+    let counted = |error: Error| assert!(matches!(error.fault, Fault::Count { expected: 2, given: 3 }), "{error}");
+    counted(backward.course(&start, Rk4::step(0.1), 0.3, &[0.0; 3]).expect_err("torques"));
+    let mut above = start;
+    above.set_coordinates(&[0.5])?;
+    let course = backward.course(&above, Rk4::step(0.1), 0.1, &[])?;
+    counted(backward.gradient_past(&course, &mut [0.0; 3], |_, _, _| Ok(())).err().expect("torques"));
+    // Vectors of another number.
+    let lists = |count: usize| {
+        let body = RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]);
+        System::new(Clamped::origin(), vec![(Coulomb::new(Slider::along(0.0), 1.0), body); count], Free)
+    };
+    let (two, three) = (lists(2)?, lists(3)?);
+    let mut backward = two.backward(Rk4);
+    let course = backward.course(&two.with_rates(two.motion(), &[1.0, 0.5])?, Rk4::step(0.1), 0.3, &[])?;
+    let shape = |error: Error| assert!(matches!(error.fault, Fault::Shape), "{error}");
+    shape(three.backward(Rk4).gradient_past(&course, &mut [], |_, _, _| Ok(())).err().expect("another scene"));
+    shape(backward.course(&three.motion(), Rk4::step(0.1), 0.3, &[]).expect_err("another scene"));
+    let gradient = backward.gradient_past(&course, &mut [], |_, _, _| Ok(()))?;
+    shape(gradient.along(&three.lift(Jet::<f64, 1>::of)).expect_err("another scene"));
+    // An error of the cost is the gradient's.
+    let fault = backward.gradient_past(&course, &mut [], |_, _, by| by.add(&[1.0], &[])).err().expect("a cost").fault;
+    assert!(matches!(fault, Fault::Count { expected: 2, given: 1 }), "{fault}");
+    Ok(())
+}

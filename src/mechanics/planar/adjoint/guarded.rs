@@ -1,0 +1,35 @@
+//! The costate sweep in the plane: joints with modes.
+
+use super::laws::ReversibleLaw;
+use super::loads::Felt;
+use super::{Outboard, Pulled, Stirred};
+use crate::adjoint::BodyLaw;
+use crate::element::Springs;
+use crate::guarded::backward::guarded;
+use crate::guarded::{Guard, Guarded};
+use crate::kinematics::Kinematics;
+use crate::mechanics::planar::{Acceleration, Planar, Revolute, Slider, Wrench};
+use crate::relation::Closures;
+use crate::scalar::Scalar;
+use crate::shape::{Joint, Of, Takes};
+use crate::walks::burden::Burden;
+use crate::walks::factor::Factor;
+use crate::walks::meet::Meet;
+use crate::walks::pull_back::PullBack;
+use crate::walks::pull_loads::PullLoads;
+use crate::walks::reach::Reach;
+use crate::walks::stir::Stir;
+use crate::walks::strain::Strain;
+
+guarded!(Planar, [] Revolute, |joint, x, y, p, q| {
+    drive: |outer, acceleration, gains| joint.drive::<C>(outer.relation, (x, y, p, q), acceleration, gains),
+    hold: |pivot| *pivot = T::zero(),
+    under: |torque, force| *torque + force,
+    numbers: |sums| sums,
+});
+guarded!(Planar, [] Slider<T>, |joint, x, y, p, q| {
+    drive: |outer, acceleration, gains| joint.drive::<C>(outer.relation, (x, y, p, q), acceleration, gains),
+    hold: |pivot| *pivot = T::zero(),
+    under: |torque, force| *torque + force,
+    numbers: |sums| sums[2..],
+});

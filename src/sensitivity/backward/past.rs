@@ -1,0 +1,272 @@
+//! Gradients of runs past changes of mode.
+//!
+//! Between two steps a change of mode takes a motion x⁻ to x⁺, at a time that hangs on x⁻, on the scene and on what acts. Its derivative J = ∂x⁺/∂x⁻
+//! at a fixed time has the jump terms of that time in it (`src/simulate/jump.rs`), and costates go back by x̄⁻ = Jᵀ x̄⁺. A change is made once more
+//! over jets, whose seeds are eight numbers of x⁻ or torques at a time, or those of the scene that the gradient is asked for along.
+
+use super::course::{Course, Efforts};
+use super::rules::Staged;
+use super::{Backward, CostateOf, GradientOf};
+use crate::adjoint::{Burdened, Reversed, Reversible, ReversibleTip};
+use crate::element::{Element, Space, Unloaded};
+use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
+use crate::lift::Lift;
+use crate::loading::{EffortOf, Loads};
+use crate::mirror::{Mode, Position, Rate};
+use crate::motion::Motion;
+use crate::relation::{Absent, Additive, Closures, Geometry};
+use crate::scalar::{Elementary, Jet, Real, Scalar};
+use crate::sensitive::Varied;
+use crate::sensitivity::CourseOf;
+use crate::sensitivity::front::parts::OfNumbers;
+use crate::simulate::anew::Change;
+use crate::space::SpaceOver;
+use crate::system::{Elements, MotionOf, Runs, System};
+use crate::time::{Explicit, Rule};
+use alloc::vec::Vec;
+use core::marker::PhantomData;
+use num_traits::{One, Zero};
+
+/// Derivatives that go forward at once.
+const WIDTH: usize = 8;
+/// Numbers with as many derivatives, and a scene over them.
+type Seeded<S> = Jet<<S as Geometry>::Scalar, WIDTH>;
+type Over<S> = <S as SpaceOver<Seeded<S>>>::Over;
+type Part<S, X> = <X as Lift<<S as Geometry>::Scalar, Seeded<S>>>::Over;
+
+/// The gradient of a cost by all that a run past changes of mode depends on.
+pub struct PastGradient<'c, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M> {
+    /// What steps do.
+    pub(in crate::sensitivity) steps: GradientOf<S, R, C, Absent>,
+    course: &'c CourseOf<S, R, C, P>,
+    /// Costates after each change of mode, of positions and then of rates, the last change first.
+    costates: Vec<(usize, Vec<S::Scalar>)>,
+    method: M,
+    of: PhantomData<P>,
+}
+
+impl<S, R, C, P, M> Backward<'_, S, R, C, P, M>
+where
+    S: Reversed + SpaceOver<Seeded<S>, Over: Varied>,
+    R: Root<S> + Lift<S::Scalar, Seeded<S>, Over: Root<Over<S>>>,
+    C: Element<S> + Lift<S::Scalar, Seeded<S>, Over: Element<Over<S>>>,
+    P: ReversibleTip<S> + Lift<S::Scalar, Seeded<S>, Over: Tip<Over<S>>>,
+    M: Explicit + Staged,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, Absent, P::Closures>,
+    System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
+    System<Over<S>, Part<S, R>, Part<S, C>, Part<S, P>>:
+        Runs<Efforts<EffortOf<Over<S>>>, Over<S>, Part<S, R>, Part<S, C>, Part<S, P>>,
+    EffortOf<S>: Additive + OfNumbers<S::Scalar>,
+    EffortOf<Over<S>>: OfNumbers<Seeded<S>>,
+{
+    /// The gradient of a cost by everything, for a run past changes of mode: `cost` is told the number of each of the course's
+    /// [states](Course::states), the last first, and adds the derivatives of the cost by its position and rate. `by_torques` becomes the gradient by the
+    /// torques held over the run; it may be empty.
+    ///
+    /// The steps are those that were accepted, their sizes held, but those that end where a mode changes: when that is hangs on everything. So a
+    /// gradient is that of the motion, shocks included, but for what steps err. A step that begins in a mode keeps it: derivatives of the rate of a joint
+    /// that does not move are zero.
+    ///
+    /// # Errors
+    /// As [`gradient`](Self::gradient); [`Fault::Unsupported`], with the time, where there are no jump terms ([`Coulomb`](crate::planar::Coulomb) says
+    /// where), for a scene over numbers with derivatives, and where it hangs on rounding which modes follow.
+    pub fn gradient_past<'c>(
+        &mut self,
+        course: &'c CourseOf<S, R, C, P>,
+        by_torques: &mut [EffortOf<S>],
+        mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
+    ) -> Result<PastGradient<'c, S, R, C, P, M>, Error> {
+        let Course { states, links, efforts, .. } = course;
+        let Some(last) = states.last().filter(|last| self.fits(last)) else { return Err(Error::new(Fault::Shape)) };
+        self.suits(1, by_torques.len())?;
+        let scene = self.steps.scene.lift(Jet::of);
+        let mut gradient = self.begin(by_torques);
+        let (mut past_changes, mut of_torques) =
+            (Vec::new(), alloc::vec![S::Scalar::zero(); numbers_of(efforts).len()]);
+        cost(links.len(), last, &mut gradient.start)?;
+        self.steps.take_torques(efforts, 0);
+        for (k, link) in links.iter().enumerate().rev() {
+            let (past, next) = (&states[k], &states[k + 1]);
+            if link.is_none() {
+                let size = next.time - past.time;
+                self.steps.evaluate(past, size, &mut self.record);
+                self.steps.pull_back(past, size, &self.record, None, &mut gradient);
+            } else {
+                let after = costates(&gradient.start.position, &gradient.start.rate);
+                let mut before = Vec::with_capacity(after.len() + of_torques.len());
+                for first in (0..after.len() + of_torques.len()).step_by(WIDTH) {
+                    let at = of_plain(&scene, past)?;
+                    let seeded = (scene.with_seeds(at, first), seeds(efforts, first.wrapping_sub(after.len())));
+                    let found = course.changed::<Over<S>, _, _, _, _, WIDTH>(k, self.method, &scene, seeded)?;
+                    before.extend(contracted(&after, &found));
+                }
+                let mut list = before.iter();
+                for costate in [&mut gradient.start.position, &mut gradient.start.rate] {
+                    costate.replace(&mut |x| list.next().map_or(x, |x| *x));
+                }
+                of_torques.iter_mut().zip(list).for_each(|(sum, more)| *sum += *more);
+                past_changes.push((k, after));
+            }
+            cost(k, past, &mut gradient.start)?;
+        }
+        self.steps.give_torques(by_torques, 0);
+        for (torque, more) in by_torques.iter_mut().zip(of_torques.chunks_exact(EffortOf::<S>::COUNT)) {
+            *torque = *torque + EffortOf::<S>::of(more);
+        }
+        self.finish(&states[0], &mut gradient)?;
+        Ok(PastGradient { steps: gradient, course, costates: past_changes, method: self.method, of: PhantomData })
+    }
+}
+
+impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> PastGradient<'_, S, R, C, P, M> {
+    /// By the positions of the start, root to tip, as a list.
+    pub fn by_position(&self) -> Vec<S::Scalar> {
+        self.steps.by_position()
+    }
+
+    /// By its rates.
+    pub fn by_rate(&self) -> Vec<S::Scalar> {
+        self.steps.by_rate()
+    }
+
+    /// What changes of mode do along the seeds of a scene over jets.
+    pub(in crate::sensitivity) fn changes_along<X, Y, Z, W, const K: usize>(
+        &self,
+        scene: &System<X, Y, Z, W>,
+    ) -> Result<[S::Scalar; K], Error>
+    where
+        X: Space<Scalar = Jet<S::Scalar, K>>,
+        Y: Root<X>,
+        Z: Element<X>,
+        W: Tip<X>,
+        System<X, Y, Z, W>: Runs<Efforts<EffortOf<X>>, X, Y, Z, W>,
+        EffortOf<S>: OfNumbers<S::Scalar>,
+        EffortOf<X>: OfNumbers<Jet<S::Scalar, K>>,
+    {
+        let mut sum = [S::Scalar::zero(); K];
+        for (k, after) in &self.costates {
+            let at = of_plain(scene, &self.course.states[*k])?;
+            let still = seeds(&self.course.efforts, usize::MAX / 2);
+            let found = self.course.changed(*k, self.method, scene, (at, still))?;
+            sum.iter_mut().zip(contracted(after, &found)).for_each(|(sum, more)| *sum += more);
+        }
+        Ok(sum)
+    }
+}
+
+impl<T: Scalar, Q: Position<T>, D: Closures, E: OfNumbers<T>> Course<Motion<T, Q, D>, E, T::Real> {
+    /// The change of mode after a state, made once more of a motion over jets under efforts over jets.
+    fn changed<X, Y, Z, W, M, const K: usize>(
+        &self,
+        k: usize,
+        method: M,
+        scene: &System<X, Y, Z, W>,
+        (before, efforts): (MotionOf<X, Y, Z, W>, Vec<EffortOf<X>>),
+    ) -> Result<MotionOf<X, Y, Z, W>, Error>
+    where
+        X: Space<Scalar = Jet<T, K>>,
+        Y: Root<X>,
+        Z: Element<X>,
+        W: Tip<X>,
+        M: Explicit,
+        System<X, Y, Z, W>: Runs<Efforts<EffortOf<X>>, X, Y, Z, W>,
+    {
+        let rule = Rule { method, control: self.control };
+        let loads = Loads::none().efforts(efforts);
+        let change = self.links[k].unwrap_or(Change::Begins);
+        let began = of_plain(scene, &self.states[k.saturating_sub(1)])?;
+        let found = scene.simulation(rule).loads(&loads).changed(change, &began, before)?;
+        let expected = &self.states[k + 1];
+        let slack = Elementary::sqrt(T::Real::EPSILON);
+        let near = |a: T, b: T| (a - b).real().abs() <= slack * (T::Real::one() + b.real().abs());
+        let alike = listed(&found).iter().zip(listed(expected)).all(|(a, b)| near(a.re, b));
+        let what = "the gradient of a run past a change of mode that hangs on rounding";
+        let refused = Error::new(Fault::Unsupported { what }).at_time(expected.time.as_f64());
+        if alike && modes(&found) == modes(expected) { Ok(found) } else { Err(refused) }
+    }
+}
+
+/// Costates of positions, and then of rates, as a list.
+fn costates<T: Scalar, V: Rate<T>>(position: &V, rate: &V) -> Vec<T> {
+    let mut list = Vec::new();
+    [position, rate].into_iter().for_each(|costate| costate.visit(&mut |x| list.push(x)));
+    list
+}
+
+/// Numbers of positions, and then of rates, as a list.
+fn listed<T: Scalar, Q: Position<T>, D: Closures>(motion: &Motion<T, Q, D>) -> Vec<T> {
+    let mut list = Vec::new();
+    motion.position.visit(&mut |x| list.push(x));
+    motion.rate.visit(&mut |x| list.push(x));
+    list
+}
+
+/// What joints with modes do, root to tip.
+fn modes<T: Scalar, Q: Position<T>, D: Closures>(motion: &Motion<T, Q, D>) -> Vec<Mode> {
+    let (mut list, mut motion) = (Vec::new(), motion.clone());
+    motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, _, _| list.push(*mode));
+    list
+}
+
+/// Costates times the derivatives of a motion, by each seed.
+fn contracted<T: Scalar, Q: Position<Jet<T, K>>, D: Closures, const K: usize>(
+    after: &[T],
+    found: &Motion<Jet<T, K>, Q, D>,
+) -> [T; K] {
+    let (mut still, mut displacement) = (found.position.clone(), found.rate.clone());
+    still.replace(&mut |x| Jet::of(x.re));
+    found.position.apart(&still, &mut displacement);
+    let mut sum = [T::zero(); K];
+    for (costate, slopes) in after.iter().zip(costates(&displacement, &found.rate)) {
+        sum.iter_mut().zip(slopes.eps).for_each(|(sum, slope)| *sum += *costate * slope);
+    }
+    sum
+}
+
+/// A motion of a scene over jets that has no derivatives.
+///
+/// # Errors
+/// [`Fault::Shape`] for that of another scene.
+fn of_plain<T, X, Y, Z, W, Q, D, const K: usize>(
+    scene: &System<X, Y, Z, W>,
+    motion: &Motion<T, Q, D>,
+) -> Result<MotionOf<X, Y, Z, W>, Error>
+where
+    T: Scalar,
+    X: Space<Scalar = Jet<T, K>>,
+    Y: Root<X>,
+    Z: Element<X>,
+    W: Tip<X>,
+    Q: Position<T>,
+    D: Closures,
+{
+    let mut over = scene.motion();
+    let (numbers, of_joints) = (listed(motion), modes(motion));
+    if listed(&over).len() != numbers.len() || modes(&over).len() != of_joints.len() {
+        return Err(Error::new(Fault::Shape));
+    }
+    let (mut numbers, mut of_joints) = (numbers.into_iter(), of_joints.into_iter());
+    let mut next = |x: Jet<T, K>| numbers.next().map_or(x, Jet::of);
+    over.position.replace(&mut next);
+    over.rate.replace(&mut next);
+    over.position.each_mode(&mut over.rate, &over.acceleration, &mut |mode, _, _| {
+        *mode = of_joints.next().unwrap_or_default();
+    });
+    over.set_time(motion.time);
+    Ok(over)
+}
+
+/// Numbers of efforts.
+fn numbers_of<T, E: OfNumbers<T>>(efforts: &[E]) -> Vec<T> {
+    let mut list = Vec::new();
+    efforts.iter().for_each(|effort| effort.add_to(&mut list));
+    list
+}
+
+/// Efforts over jets, of which number `first` is seed 0.
+fn seeds<T: Scalar, E: OfNumbers<T>, N: OfNumbers<Jet<T, K>>, const K: usize>(efforts: &[E], first: usize) -> Vec<N> {
+    let numbers = numbers_of(efforts).into_iter().enumerate();
+    let list: Vec<_> = numbers.map(|(number, x)| Jet::seed(x, number.wrapping_sub(first))).collect();
+    list.chunks_exact(N::COUNT).map(N::of).collect()
+}
