@@ -7,16 +7,18 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::{EffortOf, Loads, Values};
-use crate::mirror::Position;
+use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::{Absent, Additive, Closures};
-use crate::scalar::Scalar;
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::sensitivity::CourseOf;
+use crate::simulate::Now;
 use crate::simulate::anew::Change;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::{Control, Explicit, IntoRule, Rule};
 use alloc::vec::Vec;
 use core::cell::RefCell;
+use num_traits::One;
 
 /// Efforts in all joints, as values.
 pub type Efforts<X> = Loads<Absent, Values<Vec<X>>>;
@@ -27,11 +29,22 @@ pub struct Course<M, X, R> {
     /// The start as it was given, and then where the run has begun, the end of each accepted step, and, at the same time, each motion after
     /// modes have changed.
     pub(super) states: Vec<M>,
-    /// What has led from each state to the next: a step, or a change of mode.
-    pub(super) links: Vec<Option<Change<R>>>,
-    /// Efforts in all joints, held over the run.
+    /// What has led from each state to the next, and in which interval of efforts.
+    pub(super) links: Vec<(Link<R>, usize)>,
+    /// Efforts in all joints, held over each interval.
     pub(super) efforts: Vec<X>,
+    pub(super) joints: usize,
     pub(super) control: Control<R>,
+}
+
+/// What has led from a state to the next.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Link<R> {
+    Step,
+    /// Modes have changed, at a time that hangs on the motion.
+    Change(Change<R>),
+    /// Modes have changed because other efforts act from then on.
+    Load,
 }
 
 impl<M, X, R> Course<M, X, R> {
@@ -43,12 +56,13 @@ impl<M, X, R> Course<M, X, R> {
 
     /// Numbers of the states in which a change of mode ends, that in which the run begins first.
     pub fn changes(&self) -> impl Iterator<Item = usize> {
-        self.links.iter().enumerate().filter_map(|(k, link)| link.as_ref().map(|_| k + 1))
+        self.links.iter().enumerate().filter(|(_, link)| !matches!(link.0, Link::Step)).map(|(k, _)| k + 1)
     }
 
-    fn add(&mut self, link: Option<Change<R>>, state: M) {
-        self.links.push(link);
-        self.states.push(state);
+    /// Efforts in all joints over an interval.
+    pub(super) fn efforts(&self, interval: usize) -> &[X] {
+        let first = interval * self.joints;
+        self.efforts.get(first..first + self.joints).unwrap_or_default()
     }
 }
 
@@ -65,7 +79,8 @@ where
 {
     /// Runs a scene whose joints have modes, [`Coulomb`](crate::planar::Coulomb) or [`HardStops`](crate::planar::HardStops), to a time (s) by a rule of this
     /// method, past all that they strike, and where they stick and slip, and keeps its states for [`gradient_past`](Self::gradient_past).
-    /// `torques` are those in all joints, held over the run, or none.
+    /// `torques` are those in all joints (the root's first), held over the run, or those over the first of several equal intervals, then those over the
+    /// second, and so on; or none.
     ///
     /// ```
     /// use catena::planar::*;
@@ -107,41 +122,71 @@ where
     where
         System<S, R, C, P>: Runs<Efforts<EffortOf<S>>, S, R, C, P>,
     {
-        self.suits(1, torques.len())?;
+        let joints = self.steps.scene.joints();
+        let intervals = (torques.len() / joints.max(1)).max(1);
+        self.suits(intervals, torques.len())?;
         if !self.fits(start) {
             return Err(Error::new(Fault::Shape));
         }
         let Rule { control, .. } = rule.into_rule();
         let mut efforts = torques.to_vec();
-        efforts.resize(self.steps.scene.joints(), EffortOf::<S>::null());
-        let loads = Loads::none().efforts(efforts.clone());
-        let seen = RefCell::new(None);
-        let simulation = self.steps.scene.simulation(Rule { method: self.method, control }).loads(&loads);
-        let mut run = simulation
-            .begin(start.clone(), end, |now| *seen.borrow_mut() = Some(now.stepped().clone()))
-            .map_err(|interrupted| interrupted.error)?;
-        let mut course = Course { states: Vec::new(), links: Vec::new(), efforts, control };
+        efforts.resize(joints * intervals, EffortOf::<S>::null());
+        let mut course = Course { states: Vec::new(), links: Vec::new(), efforts, joints, control };
         course.states.push(start.clone());
-        course.add(Some(Change::Begins), run.motion().clone());
-        loop {
-            let before = run.motion().clone();
-            if !run.step()? {
-                return Ok(course);
+        let (mut stood, mut left) = (None, None);
+        for interval in 0..intervals {
+            let loads = Loads::none().efforts(course.efforts(interval).to_vec());
+            let simulation = self.steps.scene.simulation(Rule { method: self.method, control }).loads(&loads);
+            let share = RealOf::<S>::of((interval + 1) as f64 / intervals as f64);
+            let until = if interval + 1 == intervals { end } else { start.time + (end - start.time) * share };
+            let seen = RefCell::new(None);
+            let see = |now: &Now<'_, S, R, C, P, _>| *seen.borrow_mut() = Some(now.stepped().clone());
+            let (begun, link) = match left.take() {
+                None => (simulation.begin(start.clone(), until, see), Link::Change(Change::Begins)),
+                Some(saved) => (simulation.resume(saved, until, see), Link::Load),
+            };
+            let mut run = begun.map_err(|interrupted| interrupted.error)?;
+            let mut add = |link, state| {
+                course.links.push((link, interval));
+                course.states.push(state);
+            };
+            if let Some(stood) = &stood
+                && !goes_on(stood, run.motion())
+            {
+                let what = "the gradient of a run in which a joint strikes just where other torques act";
+                return Err(Error::new(Fault::Unsupported { what }).at_time(run.motion().time.as_f64()));
             }
-            let (began, after) = (run.began(), run.motion());
-            let size = after.time - began.time;
-            if !same(&before, began) {
-                course.add(Some(Change::Goes(size)), began.clone());
+            if !stood.as_ref().is_some_and(|stood| same(stood, run.motion())) {
+                add(link, run.motion().clone());
             }
-            // What is shown of a step is where it ends, before modes change.
-            let ended = seen.take().unwrap_or_else(|| after.clone());
-            let changes = !same(&ended, after);
-            course.add(None, ended);
-            if changes {
-                course.add(Some(Change::Ends(size)), after.clone());
+            loop {
+                let before = run.motion().clone();
+                if !run.step()? {
+                    break;
+                }
+                let (began, after) = (run.began(), run.motion());
+                let size = after.time - began.time;
+                if !same(&before, began) {
+                    add(Link::Change(Change::Goes(size)), began.clone());
+                }
+                // What is shown of a step is where it ends, before modes change.
+                let ended = seen.take().unwrap_or_else(|| after.clone());
+                let changes = !same(&ended, after);
+                add(Link::Step, ended);
+                if changes {
+                    add(Link::Change(Change::Ends(size)), after.clone());
+                }
             }
+            (stood, left) = (Some(run.motion().clone()), Some(run.save()));
         }
+        Ok(course)
     }
+}
+
+/// Whether a motion goes on from another one without a shock, whatever modes do.
+fn goes_on<T: Scalar, P: Position<T>, C: Closures>(from: &Motion<T, P, C>, motion: &Motion<T, P, C>) -> bool {
+    let slack = Elementary::sqrt(T::Real::EPSILON);
+    from.rate.all(&motion.rate, &mut |a, b| (a - b).real().abs() <= slack * (T::Real::one() + a.real().abs()))
 }
 
 /// Whether two motions are of the same numbers and modes.

@@ -4,7 +4,7 @@
 //! at a fixed time has the jump terms of that time in it (`src/simulate/jump.rs`), and costates go back by x̄⁻ = Jᵀ x̄⁺. A change is made once more
 //! over jets, whose seeds are eight numbers of x⁻ or torques at a time, or those of the scene that the gradient is asked for along.
 
-use super::course::{Course, Efforts};
+use super::course::{Course, Efforts, Link};
 use super::rules::Staged;
 use super::{Backward, CostateOf, GradientOf};
 use crate::adjoint::{Burdened, Reversed, Reversible, ReversibleTip};
@@ -62,7 +62,7 @@ where
 {
     /// The gradient of a cost by everything, for a run past changes of mode: `cost` is told the number of each of the course's
     /// [states](Course::states), the last first, and adds the derivatives of the cost by its position and rate. `by_torques` becomes the gradient by the
-    /// torques held over the run; it may be empty.
+    /// torques of each interval, or of all summed up; it may be empty.
     ///
     /// The steps are those that were accepted, their sizes held, but those that end where a mode changes: when that is hangs on everything. So a
     /// gradient is that of the motion, shocks included, but for what steps err. A step that begins in a mode keeps it: derivatives of the rate of a joint
@@ -79,40 +79,57 @@ where
     ) -> Result<PastGradient<'c, S, R, C, P, M>, Error> {
         let Course { states, links, efforts, .. } = course;
         let Some(last) = states.last().filter(|last| self.fits(last)) else { return Err(Error::new(Fault::Shape)) };
-        self.suits(1, by_torques.len())?;
+        self.suits(efforts.len() / course.joints.max(1), by_torques.len())?;
         let scene = self.steps.scene.lift(Jet::of);
         let mut gradient = self.begin(by_torques);
         let (mut past_changes, mut of_torques) =
             (Vec::new(), alloc::vec![S::Scalar::zero(); numbers_of(efforts).len()]);
         cost(links.len(), last, &mut gradient.start)?;
-        self.steps.take_torques(efforts, 0);
-        for (k, link) in links.iter().enumerate().rev() {
+        let mut pulled = None;
+        for (k, (link, interval)) in links.iter().enumerate().rev() {
             let (past, next) = (&states[k], &states[k + 1]);
-            if link.is_none() {
-                let size = next.time - past.time;
-                self.steps.evaluate(past, size, &mut self.record);
-                self.steps.pull_back(past, size, &self.record, None, &mut gradient);
-            } else {
-                let after = costates(&gradient.start.position, &gradient.start.rate);
-                let mut before = Vec::with_capacity(after.len() + of_torques.len());
-                for first in (0..after.len() + of_torques.len()).step_by(WIDTH) {
-                    let at = of_plain(&scene, past)?;
-                    let seeded = (scene.with_seeds(at, first), seeds(efforts, first.wrapping_sub(after.len())));
-                    let found = course.changed::<Over<S>, _, _, _, _, WIDTH>(k, self.method, &scene, seeded)?;
-                    before.extend(contracted(&after, &found));
+            if let Some(later) = pulled.replace(*interval).filter(|later| later != interval) {
+                self.steps.give_torques(by_torques, later);
+            }
+            match link {
+                Link::Step => {
+                    let size = next.time - past.time;
+                    self.steps.take_torques(efforts, *interval);
+                    self.steps.evaluate(past, size, &mut self.record);
+                    self.steps.pull_back(past, size, &self.record, None, &mut gradient);
                 }
-                let mut list = before.iter();
-                for costate in [&mut gradient.start.position, &mut gradient.start.rate] {
-                    costate.replace(&mut |x| list.next().map_or(x, |x| *x));
+                Link::Change(change) => {
+                    let efforts = course.efforts(*interval);
+                    let after = costates(&gradient.start.position, &gradient.start.rate);
+                    let count = after.len() + efforts.len() * EffortOf::<S>::COUNT;
+                    let mut before = Vec::with_capacity(count + WIDTH);
+                    for first in (0..count).step_by(WIDTH) {
+                        let at = scene.with_seeds(of_plain(&scene, past)?, first);
+                        let at = (at, seeds(efforts, first.wrapping_sub(after.len())));
+                        let found =
+                            course.changed::<Over<S>, _, _, _, _, WIDTH>(k, *change, self.method, &scene, at)?;
+                        before.extend(contracted(&after, &found));
+                    }
+                    let mut list = before.into_iter();
+                    for costate in [&mut gradient.start.position, &mut gradient.start.rate] {
+                        costate.replace(&mut |x| list.next().unwrap_or(x));
+                    }
+                    let first = interval * course.joints * EffortOf::<S>::COUNT;
+                    of_torques.iter_mut().skip(first).zip(list).for_each(|(sum, more)| *sum += more);
+                    past_changes.push((k, after));
                 }
-                of_torques.iter_mut().zip(list).for_each(|(sum, more)| *sum += *more);
-                past_changes.push((k, after));
+                // At a time that hangs on nothing; positions and rates go on.
+                Link::Load => (),
             }
             cost(k, past, &mut gradient.start)?;
         }
         self.steps.give_torques(by_torques, 0);
-        for (torque, more) in by_torques.iter_mut().zip(of_torques.chunks_exact(EffortOf::<S>::COUNT)) {
-            *torque = *torque + EffortOf::<S>::of(more);
+        // Of all intervals, or summed up over them.
+        let mut numbers = of_torques.chunks_exact(EffortOf::<S>::COUNT);
+        while !by_torques.is_empty() && numbers.len() > 0 {
+            for (torque, more) in by_torques.iter_mut().zip(&mut numbers) {
+                *torque = *torque + EffortOf::<S>::of(more);
+            }
         }
         self.finish(&states[0], &mut gradient)?;
         Ok(PastGradient { steps: gradient, course, costates: past_changes, method: self.method, of: PhantomData })
@@ -146,9 +163,10 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> PastGradien
     {
         let mut sum = [S::Scalar::zero(); K];
         for (k, after) in &self.costates {
+            let (Link::Change(change), interval) = self.course.links[*k] else { continue };
             let at = of_plain(scene, &self.course.states[*k])?;
-            let still = seeds(&self.course.efforts, usize::MAX / 2);
-            let found = self.course.changed(*k, self.method, scene, (at, still))?;
+            let still = seeds(self.course.efforts(interval), usize::MAX / 2);
+            let found = self.course.changed(*k, change, self.method, scene, (at, still))?;
             sum.iter_mut().zip(contracted(after, &found)).for_each(|(sum, more)| *sum += more);
         }
         Ok(sum)
@@ -160,6 +178,7 @@ impl<T: Scalar, Q: Position<T>, D: Closures, E: OfNumbers<T>> Course<Motion<T, Q
     fn changed<X, Y, Z, W, M, const K: usize>(
         &self,
         k: usize,
+        change: Change<T::Real>,
         method: M,
         scene: &System<X, Y, Z, W>,
         (before, efforts): (MotionOf<X, Y, Z, W>, Vec<EffortOf<X>>),
@@ -174,7 +193,6 @@ impl<T: Scalar, Q: Position<T>, D: Closures, E: OfNumbers<T>> Course<Motion<T, Q
     {
         let rule = Rule { method, control: self.control };
         let loads = Loads::none().efforts(efforts);
-        let change = self.links[k].unwrap_or(Change::Begins);
         let began = of_plain(scene, &self.states[k.saturating_sub(1)])?;
         let found = scene.simulation(rule).loads(&loads).changed(change, &began, before)?;
         let expected = &self.states[k + 1];

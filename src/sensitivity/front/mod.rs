@@ -3,7 +3,7 @@
 pub mod parts;
 mod runs;
 
-use crate::error::{Error, counted};
+use crate::error::{Error, Fault, counted};
 use crate::scalar::{Jet, Scalar};
 use alloc::vec::Vec;
 
@@ -74,10 +74,27 @@ impl Way {
 #[derive(Clone, Copy, Debug)]
 pub struct Differentiable<F, B, F2, B2> {
     outputs: usize,
+    /// Whether there is a way back.
+    both: bool,
     forward: F,
     backward: B,
     second_forward: F2,
     second_backward: B2,
+}
+
+/// A way back that there is not.
+type NoWay<T> = fn(&[T]) -> Result<Rows<T>, Error>;
+
+impl<F, F2> Differentiable<F, NoWay<f64>, F2, NoWay<Jet<f64, 1>>> {
+    #[doc(hidden)]
+    pub fn forward(outputs: usize, forward: F, second_forward: F2) -> Self {
+        Self { outputs, both: false, forward, backward: no_way, second_forward, second_backward: no_way }
+    }
+}
+
+fn no_way<T>(_: &[T]) -> Result<Rows<T>, Error> {
+    let what = "derivatives backward of what `differentiable!` was told to go `forward`";
+    Err(Error::new(Fault::Unsupported { what }))
 }
 
 /// Values and rows.
@@ -92,7 +109,12 @@ where
 {
     #[doc(hidden)]
     pub fn new(outputs: usize, forward: F, backward: B, second_forward: F2, second_backward: B2) -> Self {
-        Self { outputs, forward, backward, second_forward, second_backward }
+        Self { outputs, both: true, forward, backward, second_forward, second_backward }
+    }
+
+    /// The way that derivatives by so many inputs go.
+    fn way(&self, inputs: usize) -> Way {
+        if self.both { Way::cheaper(inputs, self.outputs).0 } else { Way::Forward }
     }
 
     /// All outputs, and their derivatives by all inputs.
@@ -125,7 +147,7 @@ where
     /// plan's torques are more than the inputs, or fit neither one step nor all; [`Fault::NotFinite`](crate::Fault::NotFinite) where an output
     /// is no number, as are those that read accelerations.
     pub fn jacobian(&self, x: &[f64]) -> Result<Derivatives, Error> {
-        self.jacobian_by(x, Way::cheaper(x.len(), self.outputs).0)
+        self.jacobian_by(x, self.way(x.len()))
     }
 
     /// All outputs and their derivatives, by a way that the caller has chosen.
@@ -196,7 +218,7 @@ where
     pub fn hessian_times(&self, x: &[f64], direction: &[f64]) -> Result<Derivatives, Error> {
         counted(x.len(), direction.len())?;
         let along: Vec<_> = x.iter().zip(direction).map(|(re, eps)| Jet { re: *re, eps: [*eps] }).collect();
-        let way = Way::cheaper(x.len(), self.outputs).0;
+        let way = self.way(x.len());
         let found = derivatives(&along, self.outputs, way, &self.second_forward, &self.second_backward)?;
         let rows = found.rows.into_iter().map(|row| row.into_iter().map(|jet| jet.eps[0]).collect()).collect();
         let values = found.values.into_iter().map(|jet| jet.re).collect();

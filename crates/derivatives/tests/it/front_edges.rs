@@ -120,3 +120,35 @@ fn scenes_without_coordinates_have_values() {
         assert!((found.values[0] - 0.7).abs() < 1e-15 && (found.rows[0][0] - 1.0).abs() < 1e-15, "{found:?}");
     }
 }
+
+#[test]
+fn what_goes_forward_alone() {
+    // A block that slides to a stop, by steps that change its mode; nothing goes back through such a rule.
+    let plan = Plan { method: MoreauJean, step: 1e-3, steps: 1000, torques: 0, outputs: 2 };
+    let slides = catena::differentiable!(
+        forward Number,
+        plan,
+        |x| {
+            let [zero, one] = [0.0, 1.0].map(Number::literal);
+            let track = Coulomb::new(Slider::along(zero), x[1]);
+            let block = System::new(Clamped::origin(), (track, RigidBody::new(x[2], one, [zero; 2], [zero; 2])), Free)?;
+            let start = block.with_rates(block.motion(), &x[..1])?;
+            (block, start)
+        },
+        |step, _, now, y| if step == 1000 {
+            y.copy_from_slice(&[now.coordinates(), now.rates()].concat());
+        }
+    );
+    let [speed, friction, mass] = [1.5, 6.0, 2.0];
+    let found = slides.jacobian(&[speed, friction, mass]).unwrap();
+    let way = 0.5 * mass * speed * speed / friction;
+    for (found, expected) in found.rows[0].iter().zip([2.0 * way / speed, -way / friction, way / mass]) {
+        assert!((found - expected).abs() < 2e-3, "{found} {expected}");
+    }
+    assert_eq!((found.way, &found.rows[1]), (Way::Forward, &vec![0.0; 3]));
+    let fault = slides.jacobian_by(&[speed, friction, mass], Way::Backward).unwrap_err().fault;
+    assert!(matches!(fault, Fault::Unsupported { what } if what.contains("forward")), "{fault}");
+    // However few the outputs, and many the inputs.
+    let many: Vec<f64> = [speed, friction, mass].into_iter().chain([0.0; 60]).collect();
+    assert_eq!(slides.gradient(&many).unwrap().1.way, Way::Forward);
+}
