@@ -49,6 +49,7 @@ fn home(name: &str) -> &str {
         "Cause" | "Error" | "Fault" | "Place" => "error",
         "Motion" => "motion",
         "compound" | "joint" => "extend", // macros
+        "differentiable" => "sensitivity",
         "BodyNumbers" | "JointNumbers" | "Label" | "Which" => "names",
         "Real" | "Scalar" => "scalar",
         "StateVector" | "TransferMatrix" => "state",
