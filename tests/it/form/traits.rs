@@ -63,3 +63,71 @@ fn public_traits_have_few_items() -> Result<(), Box<dyn Error>> {
     assert!(large.is_empty(), "more than {MOST} items: {large:?}");
     Ok(())
 }
+
+/// Traits that users implement: laws, joints, grounds, loads, surfaces, walks. All others are implemented by this crate alone, by its macros, or by
+/// numbers.
+const OF_USERS: [&str; 12] = [
+    "Ground",
+    "Inward",
+    "JointModel",
+    "Kinematics",
+    "LoadLaw",
+    "MotionLaw",
+    "Outward",
+    "RotaryLaw",
+    "SpringLaw",
+    "Surface",
+    "TimeLaw",
+    "Walk",
+];
+
+/// Names of traits that a text implements for something.
+fn implemented(text: &str) -> Vec<String> {
+    let mut found = vec![];
+    for rest in text.split("impl").skip(1) {
+        let Some(head) = rest.split_once(" for ").map(|(head, _)| head).filter(|head| !head.contains(['{', ';']))
+        else {
+            continue;
+        };
+        // Parameters of the implementation, then the path of the trait and its own.
+        let (mut depth, mut path) = (0_i32, String::new());
+        for c in head.chars() {
+            match c {
+                '<' => depth += 1,
+                '>' => depth -= 1,
+                c if depth == 0 => path.push(c),
+                _ => (),
+            }
+        }
+        found.extend(path.trim().rsplit("::").next().map(str::to_owned));
+    }
+    found
+}
+
+#[test]
+fn users_implement_few_traits() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (mut files, mut names) = (vec![], vec![]);
+    sources(&root.join("src"), &mut files)?;
+    let mut texts = vec![];
+    for path in &files {
+        let text = fs::read_to_string(path)?;
+        names.extend(traits(&text).into_iter().map(|(name, _)| name));
+        let doc = text.lines().filter_map(|line| line.trim_start().strip_prefix("//"));
+        texts.push(doc.map(|line| line.trim_start_matches(['/', '!', ' ', '#'])).collect::<Vec<_>>().join("\n"));
+    }
+    let mut examples = vec![];
+    sources(&root.join("examples"), &mut examples)?;
+    for path in &examples {
+        texts.push(fs::read_to_string(path)?);
+    }
+    let mut found: Vec<String> =
+        texts.iter().flat_map(|text| implemented(text)).filter(|name| names.contains(name)).collect();
+    found.sort();
+    found.dedup();
+    println!("documentation and examples implement {found:?}");
+    assert!(found.len() >= 8, "implementations are no longer found: {found:?}");
+    assert!(found.iter().all(|name| OF_USERS.contains(&name.as_str())), "{found:?}");
+    assert!(OF_USERS.iter().all(|name| names.iter().any(|other| other == name)), "one of these is no trait any more");
+    Ok(())
+}
