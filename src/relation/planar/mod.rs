@@ -11,14 +11,13 @@
 //! Moments are taken about the station; d is the vector to the next station outboard, n = ẑ × d its normal.
 
 pub mod algebra;
-mod geometry;
 mod pivots;
 mod promote;
 mod relative_gain;
 mod slide;
 
 pub use super::{Empty, Lump, Relation};
-pub use geometry::Planar;
+pub use algebra::Planar;
 pub use pivots::{Gain, Rigid};
 pub use relative_gain::RelativeGain;
 pub use slide::{Slides, along, back};

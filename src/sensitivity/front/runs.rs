@@ -24,7 +24,7 @@
 /// let driven = catena::differentiable!(forward Number, plan, |x| {
 ///     let speed = x[0];
 ///     let crank = Driven::new(Revolute::smooth(), move |time: f64| [speed.scale(time), speed, Number::literal(0.0)]);
-///     let (rod, joint) = (Rod::uniform(x[1], Number::literal(1.0)), ElasticHinge::new(x[2]));
+///     let (rod, joint) = (Rod::uniform(x[1], Number::literal(1.0)), ElasticHinge::rotary(x[2]));
 ///     let arm = System::new(Clamped::origin(), (crank, rod, joint, rod), Free)?.with_gravity(Number::literal(9.81));
 ///     let start = arm.motion();
 ///     (arm, start)
