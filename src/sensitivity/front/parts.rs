@@ -11,7 +11,8 @@ use crate::motion::Motion;
 use crate::relation::{Additive, Closures};
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::Varied;
-use crate::system::{MotionOf, System};
+use crate::stepper::Stepper;
+use crate::system::{Dynamics, MotionOf, System};
 use alloc::vec::Vec;
 
 /// As the number that is the first seed: none is.
@@ -75,6 +76,15 @@ pub fn shown<T: Scalar, P: Position<T>, C: Closures>(mut motion: Motion<T, P, C>
 /// Refuses outputs that are no numbers.
 pub fn known<T: Scalar>(outputs: &[T]) -> Result<(), Error> {
     ensure_finite(outputs.iter().all(|y| y.is_finite()), "output of a run (of positions and rates)")
+}
+
+/// Refuses steps of a scene whose joints have modes that the method does not change.
+///
+/// # Errors
+/// [`Fault::Unsupported`].
+pub fn keeps_modes<D: Dynamics<L>, L, K: Stepper<D, L>>(_: &K) -> Result<(), Error> {
+    let what = "`differentiable!` where joints have modes, but by `MoreauJean`: `Backward::course`";
+    if const { D::Position::MODES && !K::SWITCHES } { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
 }
 
 /// Efforts in the joints of a scene over one step or all steps, or none, from a list of numbers.

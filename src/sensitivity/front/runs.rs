@@ -87,6 +87,7 @@ macro_rules! differentiable {
             let (system, mut now) = make(inputs)?;
             let efforts = front::efforts(&system, torques, $plan.steps)?;
             let (begin, mut next, mut stepper) = (now.time(), now.clone(), system.stepper($plan.method));
+            front::keeps_modes(&stepper)?;
             let mut list = front::Vec::new();
             list.resize($plan.outputs, none);
             for step in 0..=$plan.steps {

@@ -152,3 +152,24 @@ fn what_goes_forward_alone() {
     let many: Vec<f64> = [speed, friction, mass].into_iter().chain([0.0; 60]).collect();
     assert_eq!(slides.gradient(&many).unwrap().1.way, Way::Forward);
 }
+
+#[test]
+fn modes_that_steps_do_not_change_are_refused() {
+    let plan = Plan { method: Rk4, step: 0.1, steps: 2, torques: 0, outputs: 1 };
+    let falls = catena::differentiable!(
+        Number,
+        plan,
+        |x| {
+            let [zero, one, up] = [0.0, 1.0, 1.5].map(Number::literal);
+            let fall = HardStops::between(Slider::along(up), [zero, one + one]);
+            let scene = System::new(Clamped::origin(), (fall, RigidBody::new(x[0], one, [zero; 2], [zero; 2])), Free)?;
+            let start = scene.with_rates(scene.motion(), &[one])?;
+            (scene, start)
+        },
+        |_, _, now, y| y[0] = now.coordinates()[0]
+    );
+    for way in [Way::Forward, Way::Backward] {
+        let fault = falls.jacobian_by(&[1.0], way).unwrap_err().fault;
+        assert!(matches!(fault, Fault::Unsupported { what } if what.contains("course")), "{fault}");
+    }
+}
