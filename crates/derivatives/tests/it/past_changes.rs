@@ -138,7 +138,7 @@ fn blocks_that_rub_and_strike() -> Result<(), Error> {
 #[test]
 fn random_arms() -> Result<(), Error> {
     let (mut most, mut refused) = (0, 0);
-    // Of the first 24 all agree.
+    // All of 224 agree (0 to 23, 100 to 299).
     for seed in 0..3 {
         let mut random = Noise::new(seed);
         let mut numbers = vec![];
