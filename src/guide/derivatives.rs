@@ -5,7 +5,7 @@
 //! | anything by one or a few numbers | the same program over [`Jet`](crate::scalar::Jet)s or dual numbers | a run for each derivative, about |
 //! | the end of a run by many initial values | a rule [`through_gains`](crate::sensitivity) | less: only values are eliminated |
 //! | one number by everything (tuning, identification, optimal control) | [`System::backward`](crate::system::System::backward) | three runs, four to nine by implicit rules, where a tip is held or loops are closed and in robots, however many derivatives |
-//! | one number of a run whose joints stick, slip and strike stops | [`Backward::course`](crate::sensitivity::Backward::course) | two runs, however many derivatives |
+//! | one number of a run whose joints stick, slip and strike stops | [`Backward::course`](crate::sensitivity::Backward::course) | three runs, however many derivatives |
 //! | outputs by inputs, either way, whichever costs less; products with the Hessian | [`differentiable!`](crate::differentiable!) | it says |
 //! | Jacobians of single steps (iterative LQR, filters) | [`linearised_step`](crate::sensitivity::Backward::linearised_step), [`linearised_step_in_rows`](crate::sensitivity::Backward::linearised_step_in_rows) | less, several rows at a time |
 //! | stiffness and mass about a rest | [`System::modes`](crate::system::System::modes), which has shapes and frequencies | |

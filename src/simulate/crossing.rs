@@ -49,6 +49,15 @@ pub(crate) fn departure<E>(
 /// The share at which a function is zero that [`crosses`] zero from 0 to 1 by these values: regula falsi with the Illinois modification, and
 /// halves where three values have not halved the range. The last value asked for is that of the share given.
 pub(crate) fn crossing<E>(values: [f64; 2], value_at: &mut dyn FnMut(f64) -> Result<f64, E>) -> Result<f64, E> {
+    crossing_within(4.0 * f64::EPSILON, values, value_at)
+}
+
+/// The share at which a function is zero that [`crosses`] zero from 0 to 1 by these values, where so much of the range is left.
+pub(super) fn crossing_within<E>(
+    rest: f64,
+    values: [f64; 2],
+    value_at: &mut dyn FnMut(f64) -> Result<f64, E>,
+) -> Result<f64, E> {
     let ([mut low, mut high], [mut below, mut above]) = ([0.0, 1.0], values);
     if above == 0.0 {
         return value_at(high).map(|_| high);
@@ -72,9 +81,40 @@ pub(crate) fn crossing<E>(values: [f64; 2], value_at: &mut dyn FnMut(f64) -> Res
             above *= if kept == -1 { 0.5 } else { 1.0 };
             kept = -1;
         }
-        if value == 0.0 || high - low < 4.0 * f64::EPSILON {
+        if value == 0.0 || high - low < rest {
             return Ok(theta);
         }
     }
     Ok(0.5 * (low + high))
+}
+
+/// So many secants lead from a good guess to a zero.
+const SECANTS: usize = 8;
+/// Beside rounding a secant over less than this says nothing of the slope.
+const SHORT: f64 = 1e-7;
+
+/// The share at which a function is zero, from a guess that is nearly right and the slope there; none where secants do not lead to one at once. The
+/// last value asked for is that of the share given.
+pub(super) fn polished<E>(
+    guess: f64,
+    slope: f64,
+    value_at: &mut dyn FnMut(f64) -> Result<f64, E>,
+) -> Result<Option<f64>, E> {
+    let (mut theta, mut slope) = (guess, slope);
+    let mut value = value_at(theta)?;
+    for _ in 0..SECANTS {
+        let step = -value / slope;
+        if value == 0.0 || step.abs() < 4.0 * f64::EPSILON {
+            return Ok(Some(theta));
+        }
+        if !(theta + step > 0.0 && theta + step < 1.0) {
+            return Ok(None);
+        }
+        let next = value_at(theta + step)?;
+        if step.abs() > SHORT {
+            slope = (next - value) / step;
+        }
+        (theta, value) = (theta + step, next);
+    }
+    Ok(None)
 }

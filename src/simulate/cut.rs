@@ -1,9 +1,9 @@
 //! Where a mode of a joint changes within a step, which ends there.
 
 use super::accept::Taken;
-use super::crossing::crossing;
+use super::crossing::{crossing, polished};
 use super::drive::Running;
-use super::margin::{forward, margin, nearness};
+use super::margin::{forward, margin};
 use super::now::settled;
 use super::shown::Shown;
 use super::{EventFunction, Now};
@@ -18,9 +18,7 @@ use crate::time::Control;
 use num_traits::Zero;
 
 /// Halvings of a step in which a joint moves on before it comes to rest.
-const HALVINGS: i32 = 40;
-/// So many corrections put the end of a step where a joint meets its stop.
-const NEWTON: usize = 3;
+pub(super) const HALVINGS: i32 = 40;
 /// So small a share of its ends is next to nothing where a cubic tells of what is within a step.
 const NEXT_TO: f64 = 0.1;
 /// So many joints are looked at at once.
@@ -45,7 +43,7 @@ where
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
     /// The least margin at the end of the step, with the accelerations that belong to it.
-    fn margin_ahead(&mut self) -> f64 {
+    pub(super) fn margin_ahead(&mut self) -> f64 {
         if K::SETTLED {
             return Self::margins(&mut self.next).0;
         }
@@ -141,23 +139,6 @@ where
         (found, count)
     }
 
-    /// For how long the joint that is to change its mode has been beyond its stop (s), if it strikes one.
-    fn beyond(&mut self) -> f64 {
-        let mut next = settled(self.plan.system, self.plan.loads, &self.next);
-        let earliest = Self::margins(&mut next).1;
-        let beyond = |(mode, rate, told): (Mode, S::Scalar, Told<S::Scalar>)| {
-            let near = nearness(mode, &told).filter(|near| *near > 1.0);
-            near.map_or(0.0, |_| -(told.apart / rate).real().as_f64())
-        };
-        Self::joint(&mut next, earliest).map_or(0.0, beyond)
-    }
-
-    /// Makes the step anew, as long as a share of it; gives the least margin at its end.
-    fn made_anew(&mut self, memory: &K::Memory, size: RealOf<S>, share: f64) -> Result<f64, Error> {
-        self.make_anew(memory, size * RealOf::<S>::of(share))?;
-        Ok(self.margin_ahead())
-    }
-
     /// The next step that is accepted, which ends where a mode changes. What holds a joint may be used up, but for rounding,
     /// where the step before has ended: then its mode changes where this one begins.
     pub(super) fn cut_short(&mut self) -> Result<Taken<RealOf<S>>, Error> {
@@ -223,6 +204,12 @@ where
         let memory = self.stepper.memory();
         let (margin, least) = Self::margins(&mut self.past);
         let mut low = (0.0, margin);
+        let guess = self.guessed(size, [low, high])?;
+        if let Some((share, slope)) = guess
+            && let Some(share) = polished(share, slope, &mut |share| self.made_anew(&memory, size, share))?
+        {
+            return self.at_stop(&memory, size, share).map(Some);
+        }
         // One that has just begun to slip is at rest where the step begins.
         let mut share = high.0;
         for _ in 0..HALVINGS {
@@ -242,17 +229,7 @@ where
         }
         let (width, below) = (high.0 - low.0, low.0);
         let within = crossing([low.1, high.1], &mut |theta| self.made_anew(&memory, size, below + theta * width))?;
-        let mut share = below + within * width;
-        // What strikes has been found a little beyond its stop, where it is faster by what it has fallen since.
-        for _ in 0..NEWTON {
-            let back = self.beyond() / size.as_f64();
-            if !(back > 0.0 && back < 0.5 * share) {
-                break;
-            }
-            share -= back;
-            self.made_anew(&memory, size, share)?;
-        }
-        Ok(Some(size * RealOf::<S>::of(share)))
+        self.at_stop(&memory, size, below + within * width).map(Some)
     }
 }
 

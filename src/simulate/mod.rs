@@ -13,6 +13,7 @@ mod events;
 mod jump;
 mod kinks;
 pub(crate) mod limits;
+mod locate;
 mod margin;
 mod now;
 mod saved;

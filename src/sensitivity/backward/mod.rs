@@ -185,8 +185,8 @@ pub use tape::Tape;
 ///
 /// Seven rigid bodies on elastic balls take 3.7 (x86-64-v3, time; 2.8 on balls in the same run).
 ///
-/// Past changes of mode, run and gradient take 1.7 to 1.9 plain runs (an arm of four rods whose joints rub and strike, DOP853 to 1e-6 and 1e-9, 37 and
-/// 114 changes; x86-64-v3, time): to find the instants at which modes change is half of a run, and is not done again.
+/// Past changes of mode, run and gradient take 2.6 to 2.8 plain runs (an arm of four rods whose joints rub and strike, DOP853 to 1e-6 and 1e-9, 37 and
+/// 114 changes; x86-64-v3, time): the instants at which modes change are not looked for again.
 ///
 /// A rigid body has thirteen parameters, whose derivatives are found whether somebody reads them or not. Times of a row differ by 0.1
 /// from one measurement to the next, by 0.4 at most.
