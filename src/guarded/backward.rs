@@ -4,8 +4,8 @@
 //! no virtual velocity, and nothing is eliminated; what its coordinate does to all others it does all the same. How modes change, and what that
 //! does to costates, stands elsewhere ([`sensitivity`](crate::sensitivity)).
 
-/// What a joint with modes does in the walks of the costate sweep around a joint inside: how that is held still, and its inverse pivot zero, a torque in it with a force along
-/// its coordinate, and where the costates of friction and of the law's numbers stand, friction first.
+/// What a joint with modes does in the walks of the costate sweep around a joint inside: how that is driven, and its inverse pivot made zero, while it is
+/// held still; a torque in it with a force along its coordinate; where the costates of friction and of the law's numbers stand, friction first.
 macro_rules! guarded {
     ($Space:ident, [$($bounds:tt)*] $Joint:ty, |$joint:ident, $x:ident, $y:ident, $p:ident, $q:ident| {
         drive: |$outer:ident, $acceleration:ident, $gains:ident| $drive:expr,

@@ -41,8 +41,15 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         }
     }
 
-    /// Adds what a joint or a law does, number by number, as [`Lift`] meets them, of which so many are known, others among them.
-    pub(super) fn add_numbers(&mut self, item: &impl Lift<Jet<T, K>, T>, by: &[T], known: usize, others: usize) {
+    /// Adds what a joint or a law does, number by number, as [`Lift`] meets them, of which so many are known, others among them; gives how many
+    /// it has.
+    pub(super) fn add_numbers(
+        &mut self,
+        item: &impl Lift<Jet<T, K>, T>,
+        by: &[T],
+        known: usize,
+        others: usize,
+    ) -> usize {
         let mut numbers = 0;
         item.lift(&mut |number: Jet<T, K>| {
             by.get(numbers).into_iter().for_each(|costate| self.add(*costate, number));
@@ -52,6 +59,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
         if numbers + others > known {
             self.beyond = self.beyond.or(Some([known, numbers + others]));
         }
+        numbers
     }
 
     /// Adds what a joint does.
@@ -205,12 +213,8 @@ where
     L: SpringLaw<Jet<T, K>> + Lift<Jet<T, K>, T>,
 {
     fn take(&self, walk: &mut Along<T, K>, (): (), ((), (), by): Of<'_, Planar<Jet<T, K>>, Along<T, K>, Self>) {
-        let mut own = 0;
-        self.joint().lift(&mut |number: Jet<T, K>| {
-            own += 1;
-            number.re
-        });
-        walk.add_joint(self.joint(), by);
+        let own = walk.add_numbers(self.joint(), by, NUMBERS, 0);
+        walk.met += 1;
         walk.add_guarded(self.guard().resists(Mode::SlipsForward), self.law(), &by[own..]);
     }
 }

@@ -95,17 +95,7 @@ pub use front::{Derivatives, Differentiable, Plan, Seeded, Way};
 pub use gradient::{Costate, Gradient};
 pub use stepper::SensitiveStepper;
 
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-use crate::loading::EffortOf;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-use crate::space::RealOf;
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-use crate::system::MotionOf;
 use crate::time::{Explicit, Rule};
-
-/// A run of a scene past changes of mode.
-#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-type CourseOf<S, R, C, P> = Course<MotionOf<S, R, C, P>, EffortOf<S>, RealOf<S>>;
 
 /// An explicit method whose derivatives go through kept gains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

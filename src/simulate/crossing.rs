@@ -88,33 +88,58 @@ pub(super) fn crossing_within<E>(
     Ok(0.5 * (low + high))
 }
 
+/// Halvings of a range that begins where a function is zero.
+const HALVINGS: i32 = 40;
+
+/// A range, of shares and values there, within which a function falls to zero: a range at whose end it is below, or the part of that, by halves, in which
+/// it rises first. None where it rises nowhere.
+pub(super) fn bracketed<E>(
+    [mut low, mut high]: [(f64, f64); 2],
+    value_at: &mut dyn FnMut(f64) -> Result<f64, E>,
+) -> Result<Option<[(f64, f64); 2]>, E> {
+    let mut share = high.0;
+    for _ in 0..HALVINGS {
+        if low.1 > 0.0 {
+            break;
+        }
+        share *= 0.5;
+        let value = value_at(share)?;
+        *(if value > 0.0 { &mut low } else { &mut high }) = (share, value);
+    }
+    Ok((low.1 > 0.0).then_some([low, high]))
+}
+
 /// So many secants lead from a good guess to a zero.
 const SECANTS: usize = 8;
 /// Beside rounding a secant over less than this says nothing of the slope.
 const SHORT: f64 = 1e-7;
+/// A secant no longer than this that is not half of the one before is rounding.
+const ROUNDING: f64 = 1e-12;
 
-/// The share at which a function is zero, from a guess that is nearly right and the slope there; none where secants do not lead to one at once. The
-/// last value asked for is that of the share given.
+/// The share up to another one at which a function is zero, from a guess that is nearly right and the slope there; none where secants do not lead to
+/// one at once. The last value asked for is that of the share given.
 pub(super) fn polished<E>(
-    guess: f64,
-    slope: f64,
+    (guess, mut slope): (f64, f64),
+    most: f64,
     value_at: &mut dyn FnMut(f64) -> Result<f64, E>,
 ) -> Result<Option<f64>, E> {
-    let (mut theta, mut slope) = (guess, slope);
+    let (mut theta, mut before) = (guess, f64::INFINITY);
     let mut value = value_at(theta)?;
     for _ in 0..SECANTS {
         let step = -value / slope;
-        if value == 0.0 || step.abs() < 4.0 * f64::EPSILON {
+        // At zero, next to it, or where rounding moves it to and fro.
+        let rounding = step.abs() < ROUNDING && step.abs() > 0.5 * before;
+        if value == 0.0 || step.abs() < 4.0 * f64::EPSILON || rounding {
             return Ok(Some(theta));
         }
-        if !(theta + step > 0.0 && theta + step < 1.0) {
+        if !(theta + step > 0.0 && theta + step <= most) {
             return Ok(None);
         }
         let next = value_at(theta + step)?;
         if step.abs() > SHORT {
             slope = (next - value) / step;
         }
-        (theta, value) = (theta + step, next);
+        (theta, value, before) = (theta + step, next, step.abs());
     }
     Ok(None)
 }

@@ -1,7 +1,6 @@
 //! Where a mode of a joint changes within a step, which ends there.
 
 use super::accept::Taken;
-use super::crossing::{crossing, polished};
 use super::drive::Running;
 use super::margin::{forward, margin};
 use super::now::settled;
@@ -12,13 +11,11 @@ use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::mirror::{Mode, Position, Told};
 use crate::scalar::{Elementary, Real, Scalar};
-use crate::stepper::{Stepper, inconsistent};
+use crate::stepper::Stepper;
 use crate::system::{MotionOf, RateOf, Runs, System};
 use crate::time::Control;
 use num_traits::Zero;
 
-/// Halvings of a step in which a joint moves on before it comes to rest.
-pub(super) const HALVINGS: i32 = 40;
 /// So small a share of its ends is next to nothing where a cubic tells of what is within a step.
 const NEXT_TO: f64 = 0.1;
 /// So many joints are looked at at once.
@@ -201,35 +198,7 @@ where
         if high.1.is_nan() || high.1 >= 0.0 {
             return Ok(None);
         }
-        let memory = self.stepper.memory();
-        let (margin, least) = Self::margins(&mut self.past);
-        let mut low = (0.0, margin);
-        let guess = self.guessed(size, [low, high])?;
-        if let Some((share, slope)) = guess
-            && let Some(share) = polished(share, slope, &mut |share| self.made_anew(&memory, size, share))?
-        {
-            return self.at_stop(&memory, size, share).map(Some);
-        }
-        // One that has just begun to slip is at rest where the step begins.
-        let mut share = high.0;
-        for _ in 0..HALVINGS {
-            if low.1 > 0.0 {
-                break;
-            }
-            share *= 0.5;
-            let margin = self.made_anew(&memory, size, share)?;
-            if margin > 0.0 {
-                low = (share, margin);
-            } else {
-                high = (share, margin);
-            }
-        }
-        if low.1 <= 0.0 {
-            return Err(inconsistent(least, self.past.time));
-        }
-        let (width, below) = (high.0 - low.0, low.0);
-        let within = crossing([low.1, high.1], &mut |theta| self.made_anew(&memory, size, below + theta * width))?;
-        self.at_stop(&memory, size, below + within * width).map(Some)
+        self.located(size, high).map(Some)
     }
 }
 

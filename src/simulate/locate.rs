@@ -1,7 +1,6 @@
 //! Where in a step a mode changes: guessed by dense output, and found by steps made anew.
 
-use super::crossing::crossing_within;
-use super::cut::HALVINGS;
+use super::crossing::{bracketed, crossing, crossing_within, polished};
 use super::drive::Running;
 use super::margin::nearness;
 use super::now::settled;
@@ -11,7 +10,7 @@ use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::mirror::{Mode, Told};
 use crate::scalar::{Real, Scalar};
-use crate::stepper::Stepper;
+use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Runs, System};
 
 /// So many corrections put the end of a step where a joint meets its stop.
@@ -33,6 +32,48 @@ where
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
+    /// Ends the step of a size (s) where a mode changes, if a margin is below zero at a share of it. Gives its size then.
+    ///
+    /// # Errors
+    /// Those of the rule; [`Cause::Modes`](crate::Cause::Modes) where no margin is above zero before.
+    pub(super) fn located(&mut self, size: RealOf<S>, high: (f64, f64)) -> Result<RealOf<S>, Error> {
+        let memory = self.stepper.memory();
+        // One that has just begun to slip is at rest where the step begins.
+        let (margin, least) = Self::margins(&mut self.past);
+        let range = [(0.0, margin), high];
+        let guess = self.guessed(size, range)?;
+        let mut made_anew = |share| {
+            self.make_anew(&memory, size * RealOf::<S>::of(share))?;
+            Ok::<_, Error>(self.margin_ahead())
+        };
+        if let Some(guess) = guess
+            && let Some(share) = polished(guess, high.0, &mut made_anew)?
+        {
+            return self.at_stop(&memory, size, share);
+        }
+        let Some([low, high]) = bracketed(range, &mut made_anew)? else {
+            return Err(inconsistent(least, self.past.time));
+        };
+        let (width, below) = (high.0 - low.0, low.0);
+        let within = crossing([low.1, high.1], &mut |theta| made_anew(below + theta * width))?;
+        self.at_stop(&memory, size, below + within * width)
+    }
+
+    /// Where in the step a mode changes, as far as dense output tells, in a range of shares with their margins, and how fast the margin falls there.
+    fn guessed(&mut self, size: RealOf<S>, range: [(f64, f64); 2]) -> Result<Option<(f64, f64)>, Error> {
+        let mut within = |theta: f64| {
+            self.interpolate(size, theta);
+            Ok::<_, Error>(Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.between)).0)
+        };
+        let found = bracketed(range, &mut within)?;
+        let Some([low, high]) = found.filter(|[_, high]| high.1 < 0.0) else { return Ok(None) };
+        let (below, width) = (low.0, high.0 - low.0);
+        let found = crossing_within(GUESS, [low.1, high.1], &mut |theta| within(below + theta * width))?;
+        let (share, before) = (below + found * width, below + (1.0 - BESIDE) * found * width);
+        let slope = (within(share)? - within(before)?) / (share - before);
+        Ok((slope < 0.0).then_some((share, slope)))
+    }
+
     /// For how long the joint that is to change its mode has been beyond its stop (s), if it strikes one.
     fn beyond(&mut self) -> f64 {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
@@ -44,44 +85,8 @@ where
         Self::joint(&mut next, earliest).map_or(0.0, beyond)
     }
 
-    /// Makes the step anew, as long as a share of it; gives the least margin at its end.
-    pub(super) fn made_anew(&mut self, memory: &K::Memory, size: RealOf<S>, share: f64) -> Result<f64, Error> {
-        self.make_anew(memory, size * RealOf::<S>::of(share))?;
-        Ok(self.margin_ahead())
-    }
-
-    /// Where in the step a mode changes, as far as dense output tells, between one share and another with margins on either side of zero, and how fast the
-    /// margin falls there.
-    pub(super) fn guessed(
-        &mut self,
-        size: RealOf<S>,
-        [mut low, mut high]: [(f64, f64); 2],
-    ) -> Result<Option<(f64, f64)>, Error> {
-        let mut within = |theta: f64| {
-            self.interpolate(size, theta);
-            Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.between)).0
-        };
-        let mut share = high.0;
-        for _ in 0..HALVINGS {
-            if low.1 > 0.0 {
-                break;
-            }
-            share *= 0.5;
-            let margin = within(share);
-            *(if margin > 0.0 { &mut low } else { &mut high }) = (share, margin);
-        }
-        if !(low.1 > 0.0 && high.1 < 0.0) {
-            return Ok(None);
-        }
-        let (below, width) = (low.0, high.0 - low.0);
-        let found = crossing_within::<Error>(GUESS, [low.1, high.1], &mut |theta| Ok(within(below + theta * width)))?;
-        let (share, before) = (below + found * width, below + (1.0 - BESIDE) * found * width);
-        let slope = (within(share) - within(before)) / (share - before);
-        Ok((slope < 0.0).then_some((share, slope)))
-    }
-
     /// Ends the step that ends beyond a stop a little earlier, at the stop. Gives its size (s).
-    pub(super) fn at_stop(&mut self, memory: &K::Memory, size: RealOf<S>, share: f64) -> Result<RealOf<S>, Error> {
+    fn at_stop(&mut self, memory: &K::Memory, size: RealOf<S>, share: f64) -> Result<RealOf<S>, Error> {
         let mut share = share;
         // What strikes has been found a little beyond its stop, where it is faster by what it has fallen since.
         for _ in 0..NEWTON {
@@ -90,7 +95,7 @@ where
                 break;
             }
             share -= back;
-            self.made_anew(memory, size, share)?;
+            self.make_anew(memory, size * RealOf::<S>::of(share))?;
         }
         Ok(size * RealOf::<S>::of(share))
     }

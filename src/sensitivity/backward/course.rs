@@ -11,9 +11,8 @@ use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::{Absent, Additive, Closures};
 use crate::scalar::{Elementary, Real, Scalar};
-use crate::sensitivity::CourseOf;
-use crate::simulate::Now;
 use crate::simulate::anew::Change;
+use crate::simulate::{Now, Saved};
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::{Control, Explicit, IntoRule, Rule};
 use alloc::vec::Vec;
@@ -36,6 +35,9 @@ pub struct Course<M, X, R> {
     pub(super) joints: usize,
     pub(super) control: Control<R>,
 }
+
+/// A run of a scene.
+pub type CourseOf<S, R, C, P> = Course<MotionOf<S, R, C, P>, EffortOf<S>, RealOf<S>>;
 
 /// What has led from a state to the next.
 #[derive(Clone, Copy, Debug)]
@@ -133,7 +135,7 @@ where
         efforts.resize(joints * intervals, EffortOf::<S>::null());
         let mut course = Course { states: Vec::new(), links: Vec::new(), efforts, joints, control };
         course.states.push(start.clone());
-        let (mut stood, mut left) = (None, None);
+        let mut left = None;
         for interval in 0..intervals {
             let loads = Loads::none().efforts(course.efforts(interval).to_vec());
             let simulation = self.steps.scene.simulation(Rule { method: self.method, control }).loads(&loads);
@@ -141,6 +143,7 @@ where
             let until = if interval + 1 == intervals { end } else { start.time + (end - start.time) * share };
             let seen = RefCell::new(None);
             let see = |now: &Now<'_, S, R, C, P, _>| *seen.borrow_mut() = Some(now.stepped().clone());
+            let stood = left.as_ref().map(|saved: &Saved<MotionOf<S, R, C, P>, _, _>| saved.motion.clone());
             let (begun, link) = match left.take() {
                 None => (simulation.begin(start.clone(), until, see), Link::Change(Change::Begins)),
                 Some(saved) => (simulation.resume(saved, until, see), Link::Load),
@@ -150,14 +153,13 @@ where
                 course.links.push((link, interval));
                 course.states.push(state);
             };
-            if let Some(stood) = &stood
-                && !goes_on(stood, run.motion())
-            {
-                let what = "the gradient of a run in which a joint strikes just where other torques act";
-                return Err(Error::new(Fault::Unsupported { what }).at_time(run.motion().time.as_f64()));
-            }
-            if !stood.as_ref().is_some_and(|stood| same(stood, run.motion())) {
-                add(link, run.motion().clone());
+            match &stood {
+                Some(stood) if same(stood, run.motion()) => (),
+                Some(stood) if !goes_on(stood, run.motion()) => {
+                    let what = "the gradient of a run in which a joint strikes just where other torques act";
+                    return Err(Error::new(Fault::Unsupported { what }).at_time(run.motion().time.as_f64()));
+                }
+                _ => add(link, run.motion().clone()),
             }
             loop {
                 let before = run.motion().clone();
@@ -177,7 +179,7 @@ where
                     add(Link::Change(Change::Ends(size)), after.clone());
                 }
             }
-            (stood, left) = (Some(run.motion().clone()), Some(run.save()));
+            left = Some(run.save());
         }
         Ok(course)
     }

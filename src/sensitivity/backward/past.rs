@@ -4,7 +4,7 @@
 //! at a fixed time has the jump terms of that time in it (`src/simulate/jump.rs`), and costates go back by x̄⁻ = Jᵀ x̄⁺. A change is made once more
 //! over jets, whose seeds are eight numbers of x⁻ or torques at a time, or those of the scene that the gradient is asked for along.
 
-use super::course::{Course, Efforts, Link};
+use super::course::{Course, CourseOf, Efforts, Link};
 use super::rules::Staged;
 use super::{Backward, CostateOf, GradientOf};
 use crate::adjoint::{Burdened, Reversed, Reversible, ReversibleTip};
@@ -18,8 +18,8 @@ use crate::motion::Motion;
 use crate::relation::{Absent, Additive, Closures, Geometry};
 use crate::scalar::{Elementary, Jet, Real, Scalar};
 use crate::sensitive::Varied;
-use crate::sensitivity::CourseOf;
-use crate::sensitivity::front::parts::OfNumbers;
+use crate::sensitivity::front::parts::{NO_SEEDS, OfNumbers, seeded};
+use crate::sensitivity::front::{self, WIDTH};
 use crate::simulate::anew::Change;
 use crate::space::SpaceOver;
 use crate::system::{Elements, MotionOf, Runs, System};
@@ -28,10 +28,8 @@ use alloc::vec::Vec;
 use core::marker::PhantomData;
 use num_traits::{One, Zero};
 
-/// Derivatives that go forward at once.
-const WIDTH: usize = 8;
-/// Numbers with as many derivatives, and a scene over them.
-type Seeded<S> = Jet<<S as Geometry>::Scalar, WIDTH>;
+/// Numbers with derivatives, and a scene over them.
+type Seeded<S> = front::Seeded<<S as Geometry>::Scalar>;
 type Over<S> = <S as SpaceOver<Seeded<S>>>::Over;
 type Part<S, X> = <X as Lift<<S as Geometry>::Scalar, Seeded<S>>>::Over;
 
@@ -165,7 +163,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> PastGradien
         for (k, after) in &self.costates {
             let (Link::Change(change), interval) = self.course.links[*k] else { continue };
             let at = of_plain(scene, &self.course.states[*k])?;
-            let still = seeds(self.course.efforts(interval), usize::MAX / 2);
+            let still = seeds(self.course.efforts(interval), NO_SEEDS);
             let found = self.course.changed(*k, change, self.method, scene, (at, still))?;
             sum.iter_mut().zip(contracted(after, &found)).for_each(|(sum, more)| *sum += more);
         }
@@ -284,7 +282,5 @@ fn numbers_of<T, E: OfNumbers<T>>(efforts: &[E]) -> Vec<T> {
 
 /// Efforts over jets, of which number `first` is seed 0.
 fn seeds<T: Scalar, E: OfNumbers<T>, N: OfNumbers<Jet<T, K>>, const K: usize>(efforts: &[E], first: usize) -> Vec<N> {
-    let numbers = numbers_of(efforts).into_iter().enumerate();
-    let list: Vec<_> = numbers.map(|(number, x)| Jet::seed(x, number.wrapping_sub(first))).collect();
-    list.chunks_exact(N::COUNT).map(N::of).collect()
+    seeded(&numbers_of(efforts), first).chunks_exact(N::COUNT).map(N::of).collect()
 }

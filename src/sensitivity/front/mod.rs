@@ -8,7 +8,7 @@ use crate::scalar::{Jet, Scalar};
 use alloc::vec::Vec;
 
 /// Derivatives that go forward at once.
-const WIDTH: usize = 8;
+pub(super) const WIDTH: usize = 8;
 /// What a run over so many derivatives costs, in runs without (2 to 20 rods on pins, x86-64-v3: 4.5 to 7.6).
 const FORWARD: f64 = 6.0;
 /// What pulling the costates of one output back through a run costs (plane 1.7 to 1.9, space 2.0 to 2.7).

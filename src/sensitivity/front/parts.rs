@@ -19,7 +19,7 @@ use alloc::vec::Vec;
 pub const NO_SEEDS: usize = usize::MAX / 2;
 
 /// Numbers with seeds: input `first` is seed 0.
-pub fn seeded<T: Scalar>(x: &[T], first: usize) -> Vec<Seeded<T>> {
+pub fn seeded<T: Scalar, const K: usize>(x: &[T], first: usize) -> Vec<Jet<T, K>> {
     x.iter().enumerate().map(|(k, x)| Jet::seed(*x, k.wrapping_sub(first))).collect()
 }
 

@@ -1,7 +1,9 @@
-//! Gradients of runs past changes of mode: against closed forms, and against the same runs over jets, which go forward by the rule itself.
+//! Gradients of runs past changes of mode: against a closed form, against differences of runs, and against the same runs over jets, which go forward
+//! by the rule itself.
 //!
-//! Bounds: closed forms of parabolas are met to the rounding of instants found, 1e-10; jets, which differ by the order of sums alone and are
-//! amplified by shocks, to 1e-9 of the largest of all derivatives.
+//! Bounds: differences by 1e-5 of the closed form of a parabola err by 1e-10 of a third derivative and by rounding, 1e-9; those of runs to 1e-13 by 1e-8,
+//! grown by what shocks amplify, 1e-6. Jets differ by the order of sums alone, amplified by shocks: 1e-9 of the largest of all derivatives for one or
+//! two shocks, 1e-8 for many, and for friction that breaks away, whose pace is that of another step.
 
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
@@ -136,8 +138,51 @@ fn blocks_that_rub_and_strike() -> Result<(), Error> {
 }
 
 #[test]
+fn a_double_pendulum_against_differences() -> Result<(), Error> {
+    // By length, restitution, friction of the shoulder and gravity, over shocks, slips and halts.
+    macro_rules! pendulum {
+        ($x:expr, $T:ty) => {{
+            let (x, of): ([$T; 4], _) = ($x, <$T as Scalar>::literal);
+            let rod = Rod::uniform(x[0], of(1.0));
+            let shoulder = Coulomb::new(Revolute::smooth(), x[2]);
+            let elbow = HardStops::between(Revolute::smooth(), [of(0.0), of(FRAC_PI_2)]).rebounding(x[1]);
+            let whole = System::new(Clamped::origin(), (shoulder, rod, elbow, rod), Free)?.with_gravity(x[3]);
+            let mut start = whole.motion();
+            start.set_coordinates(&[of(-0.2), of(0.9)])?;
+            (whole, start)
+        }};
+    }
+    let (at, rule, end) = ([1.0, 0.8, 0.3, 9.81], Dop853::tolerance(1e-13), 2.0);
+    let (whole, start) = pendulum!(at, f64);
+    let mut backward = whole.backward(Dop853);
+    let course = backward.course(&start, rule, end, &[])?;
+    assert!(course.changes().count() > 5, "{}", course.changes().count());
+    let last = course.states().len() - 1;
+    let seeded = pendulum!([0, 1, 2, 3].map(|k| Jet::<f64, 4>::seed(at[k], k)), Jet<f64, 4>).0;
+    for of in 0..4 {
+        let mut unit = [0.0; 4];
+        unit[of] = 1.0;
+        let found = backward.gradient_past(&course, &mut [], |step, _, by| {
+            if step == last { by.add(&unit[..2], &unit[2..]) } else { Ok(()) }
+        })?;
+        for (k, found) in found.along(&seeded)?.into_iter().enumerate() {
+            let number = |by: f64| -> Result<f64, Error> {
+                let mut other = at;
+                other[k] += by;
+                let (whole, start) = pendulum!(other, f64);
+                let end = whole.simulation(rule).run(start, end, |_| ())?.motion;
+                Ok([end.coordinates(), end.rates()].concat()[of])
+            };
+            let expected = (number(1e-5)? - number(-1e-5)?) / 2e-5;
+            near(found, expected, 1e-6 * (1.0 + expected.abs()));
+        }
+    }
+    Ok(())
+}
+
+#[test]
 fn random_arms() -> Result<(), Error> {
-    let (mut most, mut refused) = (0, 0);
+    let mut most = 0;
     // All of 224 agree (0 to 23, 100 to 299).
     for seed in 0..3 {
         let mut random = Noise::new(seed);
@@ -158,26 +203,21 @@ fn random_arms() -> Result<(), Error> {
             between(least, most);
         }
         (0..4).for_each(|_| between(-2.0, 2.0));
-        let compared: Result<usize, Error> = (|| {
-            Ok(as_forward!(Dop853::tolerance(1e-11), Dop853, 0.9, 1e-8, numbers, |x, T| {
-                let rods = [0, 2, 4, 6].map(|k| Rod::uniform(x[k], x[k + 1]));
-                let shoulder = Coulomb::new(Revolute::smooth(), x[8]).breaking_away(x[8] * x[9]);
-                let elbow = HardStops::between(Revolute::smooth(), [x[10], x[11]]).rebounding(x[12]);
-                let wrist = Coulomb::new(Revolute::smooth(), x[13]).between([x[14], x[15]]).rebounding(x[16]);
-                let chain = (rods[0], shoulder, rods[1], elbow, rods[2], wrist, rods[3]);
-                let arm = System::new(Pinned::origin(), chain, Free)?.with_gravity(x[17]);
-                let mut start = arm.motion();
-                start.set_coordinates(&x[18..22])?;
-                let start = arm.with_rates(start, &x[22..26])?;
-                (arm, start)
-            }))
-        })();
-        match compared {
-            Ok(changes) => most = most.max(changes),
-            Err(_) => refused += 1,
-        }
+        let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 0.9, 1e-8, numbers, |x, T| {
+            let rods = [0, 2, 4, 6].map(|k| Rod::uniform(x[k], x[k + 1]));
+            let shoulder = Coulomb::new(Revolute::smooth(), x[8]).breaking_away(x[8] * x[9]);
+            let elbow = HardStops::between(Revolute::smooth(), [x[10], x[11]]).rebounding(x[12]);
+            let wrist = Coulomb::new(Revolute::smooth(), x[13]).between([x[14], x[15]]).rebounding(x[16]);
+            let chain = (rods[0], shoulder, rods[1], elbow, rods[2], wrist, rods[3]);
+            let arm = System::new(Pinned::origin(), chain, Free)?.with_gravity(x[17]);
+            let mut start = arm.motion();
+            start.set_coordinates(&x[18..22])?;
+            let start = arm.with_rates(start, &x[22..26])?;
+            (arm, start)
+        });
+        most = most.max(changes);
     }
-    assert!(most > 10 && refused == 0, "{most} {refused}");
+    assert!(most > 10, "{most}");
     Ok(())
 }
 
@@ -236,8 +276,7 @@ fn robots() -> Result<(), Error> {
 #[test]
 fn a_mechanism_whose_joint_rubs_and_strikes() -> Result<(), Error> {
     let numbers = [1.0, 2.0, 0.7, 0.6, 0.9, -2.4, 0.1, 0.3, 9.81];
-    let rods = |mass: [f64; 2]| [Rod::uniform(0.5, mass[0]), Rod::uniform(1.2, mass[1]), Rod::uniform(0.9, mass[0])];
-    let [crank, coupler, rocker] = rods([1.0, 2.0]);
+    let [crank, coupler, rocker] = [(0.5, 1.0), (1.2, 2.0), (0.9, 1.0)].map(|(long, mass)| Rod::uniform(long, mass));
     let plain = System::new(Pinned::origin(), (crank, Revolute::smooth(), coupler, Pin, rocker), Pinned::at(1.0, 0.0))?;
     let moving = plain.with_rates(plain.at_rest(&[1.0, 0.3, -2.0])?, &[2.0, 0.0, 0.0])?;
     let moving = plain.assembled(moving, &Unloaded)?;
