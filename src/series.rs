@@ -24,7 +24,7 @@ pub use laws::{AffineLaw, Strain};
 
 use crate::element::{Element, Space};
 use crate::loading::{Loading, Loads, SeriesLaw, Unloaded};
-use crate::relation::{Absent, Closures, Open, Part, WrenchOf};
+use crate::relation::{Absent, AccelerationOf, Closures, Open, Part, WrenchOf};
 use crate::scalar::Real;
 use crate::shape::{Closing, Takes};
 use crate::space::RealOf;
@@ -40,6 +40,10 @@ pub trait Expandable: Space {
     type JointSeries: Copy + 'static;
     /// What is carried outward where a series begins.
     type Begun: Copy;
+    /// What is carried inward of forces: of these what there is to know yet.
+    type Pushed: Copy;
+    /// What is carried outward of accelerations.
+    type Swung: Copy;
 
     /// What lies beyond a free tip.
     fn nothing() -> Self::Articulated;
@@ -49,6 +53,16 @@ pub trait Expandable: Space {
     fn closed(open: Self::Articulated, wrench: WrenchOf<Self>, inverse: Self::Scalar) -> Self::Articulated;
     /// What the ground hands on where a series begins.
     fn begun(ground: Self::Turn) -> Self::Begun;
+    /// What is carried inward where nothing lies outboard.
+    fn unpushed() -> Self::Pushed;
+    /// A force and torque on what lies outboard, to be carried inward.
+    fn pushed(felt: WrenchOf<Self>) -> Self::Pushed;
+    /// The force and torque that is carried.
+    fn felt(pushed: Self::Pushed) -> WrenchOf<Self>;
+    /// An acceleration, to be carried outward.
+    fn accelerated(acceleration: AccelerationOf<Self>) -> Self::Swung;
+    /// The acceleration that is carried.
+    fn acceleration(swung: Self::Swung) -> AccelerationOf<Self>;
     /// Nothing has been kept.
     fn untouched<const N: usize>() -> (Self::AxesSeries<N>, Self::JointSeries);
 }

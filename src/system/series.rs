@@ -88,11 +88,11 @@ impl<S: Expandable, R: Root<S>, C: Element<S>, P: ExpandTip<S>> System<S, R, C, 
         // What holds the tip stands on the same ground.
         let gaps = P::Closures::map(&self.tip.columns(), |w| w.work(&ground));
         let mut push = Push::<S, Q, N, P::Closures> { order, gaps, efforts: PhantomData };
-        self.chain.take(&mut push, Wrench::none(), ((axes, joints, columns), efforts));
+        self.chain.take(&mut push, S::unpushed(), ((axes, joints, columns), efforts));
         let gaps = P::Closures::reduced(gain, &push.gaps);
         let forces = P::Closures::forces(gain, |w| w.work(&ground), &(), &gaps);
         let mut swing = Swing::<S, N, P::Closures> { order, forces };
-        self.chain.take(&mut swing, ground, ((axes, joints, columns), accelerations));
+        self.chain.take(&mut swing, S::accelerated(ground), ((axes, joints, columns), accelerations));
         forces
     }
 }

@@ -2,7 +2,7 @@
 
 mod loops;
 
-use crate::relation::{AccelerationOf, Closures, Cuts, Open, Part, Wrench, WrenchOf};
+use crate::relation::{Closures, Cuts, Open, Part, WrenchOf};
 use crate::series::{ExpandLoads, Expandable, Order};
 use crate::shape::{
     Arm, AtBody, AtClosing, AtJoint, Body, Closing, Columns, Joint, Mut, Outward, PerAxes, PerJoint, Positions, Rates,
@@ -76,7 +76,7 @@ impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Articulate<S, 
 }
 
 impl<S: Expandable, Q: Part, C: Closures, const N: usize> Walk<S> for Push<S, Q, N, C> {
-    type Carried = WrenchOf<S>;
+    type Carried = S::Pushed;
     /// What is kept; coefficients of efforts.
     type Stores = (Kept<S, C, N>, Ref<PerJoint<[Q; N]>>);
 }
@@ -86,17 +86,14 @@ impl<S: Expandable, Q: Part, C: Closures, const N: usize> Selective<S> for Push<
     type In<Y: Way> = Push<S, Q, N, Y::Forces<C>>;
 
     #[cfg_attr(optimised, inline(always))]
-    fn branch(
-        &mut self,
-        chain: WrenchOf<S>,
-        go: impl FnOnce(&mut Self::In<Arm>, WrenchOf<S>) -> WrenchOf<S>,
-    ) -> WrenchOf<S> {
-        chain + go(&mut Push { order: self.order, gaps: (), efforts: PhantomData }, Wrench::none())
+    fn branch(&mut self, chain: S::Pushed, go: impl FnOnce(&mut Self::In<Arm>, S::Pushed) -> S::Pushed) -> S::Pushed {
+        let arm = go(&mut Push { order: self.order, gaps: (), efforts: PhantomData }, S::unpushed());
+        S::pushed(S::felt(chain) + S::felt(arm))
     }
 }
 
 impl<S: Expandable, C: Closures, const N: usize> Walk<S> for Swing<S, N, C> {
-    type Carried = AccelerationOf<S>;
+    type Carried = S::Swung;
     /// What is kept; accelerations.
     type Stores = (Kept<S, C, N>, Mut<Rates>);
 }
@@ -106,11 +103,9 @@ impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Swing<S, N, C>
     type In<Y: Way> = Swing<S, N, Y::Forces<C>>;
 
     #[cfg_attr(optimised, inline(always))]
-    fn branch(
-        &mut self,
-        carried: AccelerationOf<S>,
-        go: impl FnOnce(&mut Self::In<Arm>, AccelerationOf<S>) -> AccelerationOf<S>,
-    ) -> AccelerationOf<S> {
+    fn branch(&mut self, carried: S::Swung, go: impl FnOnce(&mut Self::In<Arm>, S::Swung) -> S::Swung) -> S::Swung {
+        // Whatever is known of one body beyond here is not of the other.
+        let carried = S::accelerated(S::acceleration(carried));
         go(&mut Swing { order: self.order, forces: () }, carried);
         carried
     }

@@ -1,7 +1,7 @@
 //! Coefficients around loops: the forces that close a loop have the gains of every order, those of its elimination.
 
 use super::{Articulate, Begin, Push, Swing};
-use crate::relation::{AccelerationOf, Closures, Cuts, Own, Part, Wrench, WrenchOf};
+use crate::relation::{Closures, Cuts, Own, Part, Wrench, WrenchOf};
 use crate::series::{ExertClosing, ExpandClosing, Expandable};
 use crate::shape::{Around, AtClosing, CarriedIn, Closing, Main, Side};
 use core::marker::PhantomData;
@@ -66,23 +66,23 @@ where
     fn around(
         &mut self,
         closing: &K,
-        outer: WrenchOf<S>,
+        outer: S::Pushed,
         ((_, _, (gain, through)), efforts): AtClosing<'_, S, Self, K>,
-        main: impl FnOnce(&mut Self::In<Main<OwnOf<S, K>>>, WrenchOf<S>) -> WrenchOf<S>,
-        side: impl FnOnce(&mut Self::In<Side<OwnOf<S, K>>>, WrenchOf<S>) -> WrenchOf<S>,
-    ) -> WrenchOf<S> {
+        main: impl FnOnce(&mut Self::In<Main<OwnOf<S, K>>>, S::Pushed) -> S::Pushed,
+        side: impl FnOnce(&mut Self::In<Side<OwnOf<S, K>>>, S::Pushed) -> S::Pushed,
+    ) -> S::Pushed {
         let (order, none) = (self.order, zeros::<S, OwnOf<S, K>>());
         *through = closing.exerted(efforts[order.k]);
         let mut in_side = Push { order, gaps: none, efforts: PhantomData };
         let mut in_main = Push { order, gaps: (zeros::<S, C>(), none), efforts: PhantomData };
-        let side = side(&mut in_side, *through);
-        let mut both = main(&mut in_main, outer - *through) + side;
+        let side = S::felt(side(&mut in_side, S::pushed(*through)));
+        let mut both = S::felt(main(&mut in_main, S::pushed(S::felt(outer) - *through))) + side;
         let (riding, own) = in_main.gaps;
         let own = OwnOf::<S, K>::zip(&own, &in_side.gaps, |a, b| a + b);
         let (own, riding) = gain.absorbed(&own, riding, |w, share| both = WrenchOf::<S>::plus_scaled(both, -share, w));
         gain.meet(own);
         self.gaps = C::zip(&self.gaps, &riding, |a, b| a + b);
-        both
+        S::pushed(both)
     }
 }
 
@@ -91,18 +91,18 @@ impl<S: Expandable, K: ExpandClosing<S>, C: Closures, const N: usize> Around<S, 
     fn around(
         &mut self,
         closing: &K,
-        inboard: AccelerationOf<S>,
+        inboard: S::Swung,
         ((_, _, (gain, through)), internal): AtClosing<'_, S, Self, K>,
-        main: impl FnOnce(&mut Self::In<Main<OwnOf<S, K>>>, AccelerationOf<S>) -> AccelerationOf<S>,
-        side: impl FnOnce(&mut Self::In<Side<OwnOf<S, K>>>, AccelerationOf<S>) -> CarriedIn<S, Self, Side<OwnOf<S, K>>>,
-    ) -> AccelerationOf<S> {
-        let order = self.order;
-        let forces = OwnOf::<S, K>::forces(gain, |w| w.work(&inboard), &self.forces, gain.gap());
+        main: impl FnOnce(&mut Self::In<Main<OwnOf<S, K>>>, S::Swung) -> S::Swung,
+        side: impl FnOnce(&mut Self::In<Side<OwnOf<S, K>>>, S::Swung) -> CarriedIn<S, Self, Side<OwnOf<S, K>>>,
+    ) -> S::Swung {
+        let (order, acceleration) = (self.order, S::acceleration(inboard));
+        let forces = OwnOf::<S, K>::forces(gain, |w| w.work(&acceleration), &self.forces, gain.gap());
         let mut passed = *through;
         OwnOf::<S, K>::zip(&closing.columns(), &forces, |w, by| passed = WrenchOf::<S>::plus_scaled(passed, by, w));
         // Internal torques are those on the inboard side.
         *internal = S::numbers(Wrench { torque: -passed.torque, ..passed });
-        side(&mut Swing { order, forces }, inboard);
-        main(&mut Swing { order, forces: (self.forces, forces) }, inboard)
+        side(&mut Swing { order, forces }, S::accelerated(acceleration));
+        main(&mut Swing { order, forces: (self.forces, forces) }, S::accelerated(acceleration))
     }
 }

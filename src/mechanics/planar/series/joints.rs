@@ -1,6 +1,6 @@
 //! Taylor series in the plane: what joints do.
 
-use super::Articulated;
+use super::{Articulated, Pushed, Swung, applied_onto};
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin, Planar, Turn, Weld};
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
 use crate::relation::{Closures, Cuts, Part, Symmetric, Term};
@@ -16,6 +16,8 @@ pub struct JointSeries<T> {
     /// −1 / D, and how the acceleration of its coordinate (of its outboard body, where it turns) depends on that of the station.
     pub(super) minus_inverse: T,
     pub(super) gain: Vector2<T>,
+    /// 1 + gain ⊗ lever of the body that begins outboard, by columns, and its transpose: F where it ends as felt inboard, and a as it moves it.
+    pub(super) through: [[Vector2<T>; 2]; 2],
     /// How the acceleration along a line depends on the angular one.
     pub(super) gain_of_turning: T,
     /// The acceleration of the present order if the station stays where it is.
@@ -30,19 +32,33 @@ impl<T: Scalar> JointSeries<T> {
     pub(super) fn new() -> Self {
         let zero = T::zero();
         let gain = Vector2::new(zero, zero);
-        Self { minus_inverse: zero, gain, gain_of_turning: zero, free: zero, place: zero, strain: Strain::none() }
+        Self {
+            minus_inverse: zero,
+            gain,
+            through: [[gain; 2]; 2],
+            gain_of_turning: zero,
+            free: zero,
+            place: zero,
+            strain: Strain::none(),
+        }
     }
 
     /// Eliminates the rotation.
     #[cfg_attr(optimised, inline(always))]
     fn loosen<C: Closures>(
         &mut self,
-        Articulated { linear, coupling, angular }: Articulated<T>,
+        Articulated { linear, coupling, angular, lever }: Articulated<T>,
         cuts: &mut Cuts<Internal<T>, T, C>,
         columns: &mut C::Each<Internal<T>>,
     ) -> Articulated<T> {
         self.minus_inverse = -angular.recip();
         self.gain = coupling * self.minus_inverse;
+        if let Some(lever) = lever {
+            let (one, zero, gain) = (T::one(), T::zero(), self.gain);
+            let unit = [Vector2::new(one, zero), Vector2::new(zero, one)];
+            let sheared = |v: Vector2<T>, by: Vector2<T>| [add_scaled(unit[0], by.x, v), add_scaled(unit[1], by.y, v)];
+            self.through = [sheared(gain, lever), sheared(lever, gain)];
+        }
         *columns = C::map(&cuts.columns, |w| w);
         let moved = |w: Internal<T>, _| Internal { force: add_scaled(w.force, w.torque, self.gain), torque: T::zero() };
         (*cuts, _) = cuts.eliminated(self.minus_inverse, T::zero(), |w| w.torque, moved);
@@ -51,20 +67,43 @@ impl<T: Scalar> JointSeries<T> {
             linear: linear.plus_outer(coupling, self.gain),
             coupling: Vector2::new(zero, zero),
             angular: zero,
+            lever: None,
         }
     }
 
-    /// Frees the rotation of what is missed of no torque.
-    #[inline(always)]
-    fn release(&mut self, force: Vector2<T>, missed: T) -> Vector2<T> {
-        self.free = missed * self.minus_inverse;
-        add_scaled(force, missed, self.gain)
+    /// Frees the rotation of the torque that is missed, given that which is known: the force inboard.
+    #[cfg_attr(optimised, inline(always))]
+    fn release(&mut self, outer: Pushed<T>, missed: impl FnOnce(T) -> T) -> Vector2<T> {
+        match outer {
+            Pushed::None => {
+                let missed = missed(T::zero());
+                self.free = missed * self.minus_inverse;
+                self.gain * missed
+            }
+            Pushed::Felt(Internal { force, torque }) => {
+                let missed = missed(torque);
+                self.free = missed * self.minus_inverse;
+                add_scaled(force, missed, self.gain)
+            }
+            Pushed::Levered { known, force, lever } => {
+                let missed = missed(known.torque);
+                self.free = plus_dot(missed, lever, force) * self.minus_inverse;
+                applied_onto(self.through[0], force, add_scaled(known.force, missed, self.gain))
+            }
+        }
     }
 
-    /// The angular acceleration of the outboard body.
+    /// Turns what lies outboard: its angular acceleration, under closure forces, and how it depends on the acceleration of the station.
     #[inline(always)]
-    fn angular<C: Closures>(&self, linear: Vector2<T>, columns: &C::Each<Internal<T>>, forces: &C::Each<T>) -> T {
-        plus_dot(self.held::<C>(columns, forces), self.gain, linear)
+    fn swing<C: Closures>(
+        &self,
+        linear: Vector2<T>,
+        columns: &C::Each<Internal<T>>,
+        forces: &C::Each<T>,
+    ) -> (T, Swung<T>) {
+        let free = self.held::<C>(columns, forces);
+        let angular = plus_dot(free, self.gain, linear);
+        (angular, Swung::Turned { at: Acceleration { linear, angular }, free, through: self.through[1] })
     }
 
     /// The acceleration of the present order under closure forces if the station stays where it is.
@@ -105,13 +144,14 @@ impl<T: Scalar, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<P
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
-        outer: Internal<T>,
+        outer: Pushed<T>,
         (((), room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
-    ) -> Internal<T> {
-        let effort = efforts[order.k];
-        let force = room.release(outer.force, effort.take_from(outer.torque));
+    ) -> Pushed<T> {
+        let effort = efforts[order.k.min(N - 1)];
+        let force = room.release(outer, |torque| effort.take_from(torque));
         *gaps = C::zip(gaps, columns, |gap, w| (-w.torque).mul_add(room.free, gap));
-        Internal { force, torque: effort.add_to(T::zero()) }
+        // To add −0 changes nothing, and compilers leave it out.
+        Pushed::Felt(Internal { force, torque: effort.add_to(-T::zero()) })
     }
 }
 
@@ -120,11 +160,12 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N
     fn take(
         &self,
         Swing { forces, .. }: &mut Swing<Planar<T>, N, C>,
-        inboard: Acceleration<T>,
+        inboard: Swung<T>,
         (((), room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
-    ) -> Acceleration<T> {
-        *acceleration = room.angular::<C>(inboard.linear, columns, forces);
-        Acceleration { angular: *acceleration, ..inboard }
+    ) -> Swung<T> {
+        let (angular, swung) = room.swing::<C>(inboard.acceleration().linear, columns, forces);
+        *acceleration = angular;
+        swung
     }
 }
 
@@ -148,8 +189,8 @@ macro_rules! welded {
 }
 welded!(
     [] Articulate<Planar<T>, N, C>: Articulated<T>,
-    [Q] Push<Planar<T>, Q, N, C>: Internal<T>,
-    [] Swing<Planar<T>, N, C>: Acceleration<T>
+    [Q] Push<Planar<T>, Q, N, C>: Pushed<T>,
+    [] Swing<Planar<T>, N, C>: Swung<T>
 );
 
 impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for ElasticHinge<L> {
@@ -186,13 +227,13 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
-        outer: Internal<T>,
+        outer: Pushed<T>,
         (((), room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
-    ) -> Internal<T> {
-        let torque = efforts[order.k].add_to(room.strain.effort);
-        let force = room.release(outer.force, outer.torque - torque);
+    ) -> Pushed<T> {
+        let torque = efforts[order.k.min(N - 1)].add_to(room.strain.effort);
+        let force = room.release(outer, |known| known - torque);
         *gaps = C::zip(gaps, columns, |gap, w| (-w.torque).mul_add(room.free, gap));
-        Internal { force, torque }
+        Pushed::Felt(Internal { force, torque })
     }
 }
 
@@ -203,12 +244,13 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, S
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Planar<T>, N, C>,
-        inboard: Acceleration<T>,
+        inboard: Swung<T>,
         (((), room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
-    ) -> Acceleration<T> {
-        let angular = room.angular::<C>(inboard.linear, columns, forces);
+    ) -> Swung<T> {
+        let inboard = inboard.acceleration();
+        let (angular, swung) = room.swing::<C>(inboard.linear, columns, forces);
         *acceleration = angular - inboard.angular;
         room.strain.follow(order, *acceleration, &self.rotary);
-        Acceleration { angular, ..inboard }
+        swung
     }
 }

@@ -4,8 +4,7 @@
 //! κ = s₀ p + (k + 1) (k + 2) Σ s_j z_{k+2−j} of what is known, j from 1 to k + 1, and p of z as for a body. The force F through the joint
 //! has the part Re(z̄ F) = Q along the line, and the moment Im(r̄ F) about the inboard point. So eight convolutions: two sets of four lanes.
 
-use super::bodies::AxesSeries;
-use super::{Articulated, pulled};
+use super::{Articulated, Pushed, Swung, pulled};
 use crate::mechanics::planar::{Acceleration, Internal, Planar, Slider, Turn};
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Closures, Symmetric, Term};
@@ -15,20 +14,10 @@ use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
 
-/// Keeps coefficients at a number: z twice beside ω twice and F; s twice and r beside z of the next number and F across.
+/// What is convolved: z twice with ω twice and F; s twice and r with z of the next number and F across.
 #[cfg_attr(optimised, inline(always))]
-fn keep<T: Scalar, const N: usize>(
-    [line, arm]: &mut [AxesSeries<T, N>; 2],
-    number: usize,
-    (z, spin, force): (Vector2<T>, T, Vector2<T>),
-    (s, r): (T, Vector2<T>),
-) {
-    if number < N {
-        line.turned[number] = [z.x, z.y, z.x, z.y];
-        line.turning[number] = [spin, spin, force.x, force.y];
-        arm.turned[number] = [s, s, r.x, r.y];
-        arm.turning[number] = [z.x, z.y, force.y, -force.x];
-    }
+fn pairs<T: Scalar>((z, spin, force): (Vector2<T>, T, Vector2<T>), (s, r): (T, Vector2<T>)) -> [[[T; 4]; 2]; 2] {
+    [[[z.x, z.y, z.x, z.y], [spin, spin, force.x, force.y]], [[s, s, r.x, r.y], [z.x, z.y, force.y, -force.x]]]
 }
 
 impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for Slider<T, L> {
@@ -44,7 +33,10 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
         (room.place, room.strain) = (*position, Strain::begin([*position, *rate], &self.spring));
         let turned = normal(z) * turn.rate;
         let moved = add_scaled(normal(r) * turn.rate, *rate, z);
-        keep(axes, 0, (turned, turn.rate, Vector2::new(T::zero(), T::zero())), (*rate, moved));
+        let none = Vector2::new(T::zero(), T::zero());
+        for (axes, [turned, turning]) in axes.iter_mut().zip(pairs((turned, turn.rate, none), (*rate, moved))) {
+            axes.products.begin(turned, turning);
+        }
         turn
     }
 }
@@ -56,7 +48,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, A
     fn take(
         &self,
         Articulate { cuts }: &mut Articulate<Planar<T>, N, C>,
-        Articulated { linear, coupling, angular }: Articulated<T>,
+        Articulated { linear, coupling, angular, .. }: Articulated<T>,
         ([line, arm], room, columns): Of<'_, Planar<T>, Articulate<Planar<T>, N, C>, Self>,
     ) -> Articulated<T> {
         // Before the line yields in one set, after it in the other.
@@ -80,7 +72,8 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, A
         let angular = across.mul_add(room.gain_of_turning, angular);
         (line.inner, line.moment) = (linear, coupling);
         let swung = linear.apply_onto(line.lever, coupling);
-        Articulated { linear, coupling: swung, angular: plus_dot(angular, line.lever, coupling + swung) }
+        let angular = plus_dot(angular, line.lever, coupling + swung);
+        Articulated { linear, coupling: swung, angular, lever: None }
     }
 }
 
@@ -91,12 +84,13 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<
     fn take(
         &self,
         Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
-        outer: Internal<T>,
+        outer: Pushed<T>,
         (([line, arm], room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
-    ) -> Internal<T> {
-        let [x, y, along, more] = line.convolved(order.k);
+    ) -> Pushed<T> {
+        let outer = outer.felt();
+        let [x, y, along, more] = line.products.of(order.k);
         let curl = normal(Vector2::new(x.scale(order.next), y.scale(order.next)));
-        let [u, v, moment, rest] = arm.convolved(order.k);
+        let [u, v, moment, rest] = arm.products.of(order.k);
         let factor = T::constant(order.next * (order.next + num_traits::One::one()));
         let known = add_scaled(curl * room.place, factor, Vector2::new(u, v));
         (arm.curl, line.curl) = (curl, known);
@@ -110,7 +104,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<
         let force = add_scaled(force, missed, room.gain);
         line.known = force;
         let torque = missed.mul_add(room.gain_of_turning, torque + (moment + rest));
-        Internal { force, torque: plus_dot(torque, line.lever, force) }
+        Pushed::Felt(Internal { force, torque: plus_dot(torque, line.lever, force) })
     }
 }
 
@@ -121,10 +115,10 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, S
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Planar<T>, N, C>,
-        Acceleration { linear, angular }: Acceleration<T>,
+        inboard: Swung<T>,
         ((axes, room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
-    ) -> Acceleration<T> {
-        let [line, arm] = &*axes;
+    ) -> Swung<T> {
+        let (Acceleration { linear, angular }, [line, arm]) = (inboard.acceleration(), &*axes);
         let known = pulled::<T, C>(line.known, columns, forces);
         let carried = add_scaled(linear, angular, line.lever);
         *acceleration =
@@ -134,8 +128,11 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, S
         let turned = add_scaled(arm.curl, angular, normal(line.axes));
         let half = |v: Vector2<T>| Vector2::new(v.x.scale(order.twice), v.y.scale(order.twice));
         let (turned, moved, slid) = (half(turned), half(outboard - linear), acceleration.scale(order.twice));
-        keep(axes, order.k + 1, (turned, angular.scale(order.once), force), (slid, moved));
+        let pairs = pairs((turned, angular.scale(order.once), force), (slid, moved));
+        for (axes, [turned, turning]) in axes.iter_mut().zip(pairs) {
+            axes.products.keep(order.k + 1, turned, turning);
+        }
         room.strain.follow(order, *acceleration, &self.spring);
-        Acceleration { linear: outboard, angular }
+        Swung::At(Acceleration { linear: outboard, angular })
     }
 }

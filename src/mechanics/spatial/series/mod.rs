@@ -24,7 +24,7 @@ mod rods;
 mod tips;
 mod weld;
 
-use super::{Internal, Spatial, Turn};
+use super::{Acceleration, Internal, Spatial, Turn};
 use crate::relation::spatial::algebra::{Columns, Factor3, Symmetric3, add_scaled, zero};
 use crate::relation::spatial::{Full, Gain, Pivot};
 use crate::relation::{Additive, Closures, Cuts, Geometry, Join, Symmetric};
@@ -79,6 +79,8 @@ impl<T: Scalar> Expandable for Spatial<T> {
     type JointSeries = JointSeries<T>;
     /// The angular velocity (rad/s), inertial axes.
     type Begun = Vector3<T>;
+    type Pushed = Internal<T>;
+    type Swung = Acceleration<T>;
 
     #[inline(always)]
     fn nothing() -> Full<T> {
@@ -101,6 +103,26 @@ impl<T: Scalar> Expandable for Spatial<T> {
     #[inline(always)]
     fn begun(ground: Turn<T>) -> Vector3<T> {
         ground.spin
+    }
+    #[inline(always)]
+    fn unpushed() -> Internal<T> {
+        Internal::none()
+    }
+    #[inline(always)]
+    fn pushed(felt: Internal<T>) -> Internal<T> {
+        felt
+    }
+    #[inline(always)]
+    fn felt(pushed: Internal<T>) -> Internal<T> {
+        pushed
+    }
+    #[inline(always)]
+    fn accelerated(acceleration: Acceleration<T>) -> Acceleration<T> {
+        acceleration
+    }
+    #[inline(always)]
+    fn acceleration(swung: Acceleration<T>) -> Acceleration<T> {
+        swung
     }
     fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T>) {
         let (none, matrix, symmetric) = ([products::none(); N], Columns::null(), Symmetric3::null());
