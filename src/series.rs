@@ -20,7 +20,7 @@
 
 mod laws;
 
-pub use laws::{AffineLaw, Strain};
+pub use laws::{ExpandLaw, Strain};
 
 use crate::element::{Element, Space};
 use crate::loading::{Loading, Loads, SeriesLaw, Unloaded};
@@ -36,8 +36,8 @@ pub trait Expandable: Space {
     type Articulated: Copy;
     /// What the walks keep of a set of axes (that of a body, and those of joints that keep some) in a series of order `N`.
     type AxesSeries<const N: usize>: Copy + 'static;
-    /// What the walks keep of a joint.
-    type JointSeries: Copy + 'static;
+    /// What the walks keep of a joint in such a series.
+    type JointSeries<const N: usize>: Copy + 'static;
     /// What is carried outward where a series begins.
     type Begun: Copy;
     /// What is carried inward of forces: of these what there is to know yet.
@@ -64,7 +64,7 @@ pub trait Expandable: Space {
     /// The acceleration that is carried.
     fn acceleration(swung: Self::Swung) -> AccelerationOf<Self>;
     /// Nothing has been kept.
-    fn untouched<const N: usize>() -> (Self::AxesSeries<N>, Self::JointSeries);
+    fn untouched<const N: usize>() -> (Self::AxesSeries<N>, Self::JointSeries<N>);
 }
 
 /// Which coefficient is found: its number, and what its neighbours are divided by.

@@ -80,14 +80,6 @@ impl<T: Scalar, D: Coefficient<T>> Spring<T, D> {
     }
 }
 
-impl<K: Copy, D: Copy, P> Spring<K, D, P> {
-    /// The spring with its rest value zero: how its force changes.
-    #[inline(always)]
-    pub(crate) fn unstrained(&self) -> Spring<K, D> {
-        Spring { stiffness: self.stiffness, damping: self.damping, rest: Absent }
-    }
-}
-
 /// What acts along a coordinate of a joint: a [`Spring`], [`DryFriction`], [`Stops`], nothing, a law of the user's own, or several of
 /// them as a tuple.
 ///
@@ -169,6 +161,9 @@ impl<K: Copy, D: Copy, P> Spring<K, D, P> {
 pub trait SpringLaw<T: Scalar>: Copy + Debug + 'static {
     /// Whether force is affine in position and rate: then slopes are the same everywhere, and nothing has to be read twice.
     const LINEAR: bool = false;
+    /// Whether force is one analytic function of position and rate, made of products, powers, sines and the like, without cases: then
+    /// [`Taylor`](crate::time::Taylor) knows its series.
+    const ANALYTIC: bool = Self::LINEAR;
 
     /// Force on the outboard side (N·m, N).
     fn force(&self, position: T, rate: T) -> T;

@@ -50,6 +50,11 @@ impl<T: Scalar, const N: usize> Powers<T, N> {
         Self::polynomial(2, asked.min(N), |k| if k == 0 { value } else { T::one() })
     }
 
+    /// A series of which some coefficients are known, and no others asked for.
+    pub(crate) fn up_to(known: &[T]) -> Self {
+        Self::polynomial(known.len(), known.len(), |k| known[k])
+    }
+
     /// The coefficients asked for, and zeros.
     pub fn terms(self) -> [T; N] {
         self.terms
@@ -106,7 +111,7 @@ impl<T: Scalar, const N: usize> Powers<T, N> {
     }
 
     /// A function of a value and of a slope, which is known.
-    fn integral(first: T, slope: Self) -> Self {
+    pub(crate) fn integral(first: T, slope: Self) -> Self {
         let of = |k: usize| slope.terms[k - 1].scale(T::Real::of(SHARES[k]));
         Self::polynomial(slope.count + 1, slope.asked, |k| if k == 0 { first } else { of(k) })
     }

@@ -50,6 +50,8 @@ impl<T: Scalar> DryFriction<T> {
 }
 
 impl<T: Scalar, B: Coefficient<T>> SpringLaw<T> for DryFriction<T, B> {
+    const ANALYTIC: bool = true;
+
     #[cfg_attr(optimised, inline(always))]
     fn force(&self, _: T, rate: T) -> T {
         let ratio = rate / self.speed;

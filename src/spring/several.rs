@@ -10,6 +10,7 @@ macro_rules! laws {
     ($($Law:ident $i:tt),*) => {
         impl<T: Scalar, $($Law: SpringLaw<T>),*> SpringLaw<T> for ($($Law,)*) {
             const LINEAR: bool = true $(&& $Law::LINEAR)*;
+            const ANALYTIC: bool = true $(&& $Law::ANALYTIC)*;
 
             #[cfg_attr(optimised, inline(always))]
             fn force(&self, position: T, rate: T) -> T {

@@ -21,6 +21,8 @@ pub trait SeriesDynamics<L, const N: usize>: Dynamics<L> {
     const LOADED: bool;
     /// Whether efforts are functions of time.
     const OVER_TIME: bool;
+    /// Whether all laws along coordinates are linear.
+    const LINEAR: bool;
 
     /// Room for a series.
     type Series;
@@ -64,7 +66,7 @@ pub struct SeriesRoom<S: Expandable, E: Shape<S>, Q: Part, O: Own, const N: usiz
     p: E::Store<PerAxes<S::P>>,
     q: E::Store<PerAxes<S::Q>>,
     axes: E::Store<PerAxes<S::AxesSeries<N>>>,
-    joints: E::Store<PerJoint<S::JointSeries>>,
+    joints: E::Store<PerJoint<S::JointSeries<N>>>,
     efforts: E::Store<PerJoint<[Q; N]>>,
     columns: E::Store<Columns<O>>,
     /// Of the forces that hold the tip.
@@ -109,6 +111,7 @@ where
 {
     const LOADED: bool = L::ON;
     const OVER_TIME: bool = L::OVER_TIME;
+    const LINEAR: bool = <Elements<S, R, C> as Shape<S>>::LINEAR;
 
     type Series = SeriesRoom<S, Elements<S, R, C>, L::InJoint, P::Closures, N>;
 
@@ -166,6 +169,7 @@ where
 impl<D: SeriesDynamics<L, N>, L, const N: usize> SeriesDynamics<L, N> for &D {
     const LOADED: bool = D::LOADED;
     const OVER_TIME: bool = D::OVER_TIME;
+    const LINEAR: bool = D::LINEAR;
 
     type Series = D::Series;
 

@@ -69,7 +69,8 @@ impl Auto {
 /// scenes that Taylor series know.
 ///
 /// Where nothing is stiff it is `Vcabm` for scenes of seven coordinates or more at tolerances from 1e-3 on, and `Taylor` for all others. Under
-/// efforts that are functions of time, whose series are dear, it is what `Auto` is at tolerances from 1e-10 on. Steps
+/// efforts that are functions of time, whose series are dear, it is what `Auto` is at tolerances from 1e-10 on, and among laws that are not
+/// linear, whose series are dearer, at any. Steps
 /// by a series look limited by stability if the fastest spring or damper turns, or dies, by more than one in them; the race is that of `Auto`.
 ///
 /// Time for the same error of the last coordinate, as a multiple of that of the best of `Taylor::<24>`, `Dop853`, `Vcabm` and `Sdirk4` alone

@@ -13,10 +13,10 @@ use core::marker::PhantomData;
 
 /// What the walks keep of axes and joints.
 type Room<S, const N: usize> =
-    (Mut<PerAxes<<S as Expandable>::AxesSeries<N>>>, Mut<PerJoint<<S as Expandable>::JointSeries>>);
+    (Mut<PerAxes<<S as Expandable>::AxesSeries<N>>>, Mut<PerJoint<<S as Expandable>::JointSeries<N>>>);
 /// What the walks keep, where the closure forces `C` act: of these what they do to a body or a joint.
 type Kept<S, C, const N: usize> =
-    (Mut<PerAxes<<S as Expandable>::AxesSeries<N>>>, Mut<PerJoint<<S as Expandable>::JointSeries>>, Mut<Columns<C>>);
+    (Mut<PerAxes<<S as Expandable>::AxesSeries<N>>>, Mut<PerJoint<<S as Expandable>::JointSeries<N>>>, Mut<Columns<C>>);
 
 /// Keeps the coefficients of order 0, of a posture.
 pub struct Begin<const N: usize>;

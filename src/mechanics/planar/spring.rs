@@ -13,6 +13,7 @@ pub struct Custom<L>(pub L);
 
 impl<T: Scalar, L: SpringLaw<T>> SpringLaw<T> for Custom<L> {
     const LINEAR: bool = L::LINEAR;
+    const ANALYTIC: bool = L::ANALYTIC;
 
     #[inline(always)]
     fn force(&self, position: T, rate: T) -> T {

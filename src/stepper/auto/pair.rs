@@ -7,7 +7,7 @@ use crate::stepper::{ExplicitStepper, Method, MotionIn, Stepper, TaylorStepper, 
 use crate::system::SeriesDynamics;
 use crate::time::{Dop853, Taylor};
 
-/// From this tolerance on series of functions of time are dearer than stages of `Dop853`.
+/// From this tolerance on series of functions of time are dearer than stages of `Dop853`; those of laws that are not linear are at any.
 const COARSE: f64 = 1e-10;
 
 /// Steps by [`Dop853`] or by series of orders up to `P`: by the latter, but under efforts that are functions of time at coarse tolerances.
@@ -99,7 +99,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for PairStepper<D
 
 impl<D: SeriesDynamics<L, P>, L, const P: usize> Single<D, L> for PairStepper<D, L, P> {
     fn chosen(tolerance: Option<f64>) -> Chosen {
-        let staged = const { D::OVER_TIME } && tolerance.is_some_and(|tolerance| tolerance >= COARSE);
+        let coarse = tolerance.is_some_and(|tolerance| tolerance >= COARSE);
+        let staged = const { !D::LINEAR } || const { D::OVER_TIME } && coarse;
         if staged { Chosen::Dop853 } else { Chosen::Taylor }
     }
     fn leaves_to_multistep(coordinates: usize, tolerance: Option<f64>) -> bool {
@@ -109,7 +110,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Single<D, L> for PairStepper<D,
         }
     }
     fn makes(chosen: Chosen) -> bool {
-        chosen == Chosen::Taylor || (D::OVER_TIME && chosen == Chosen::Dop853)
+        chosen == Chosen::Taylor || ((D::OVER_TIME || !D::LINEAR) && chosen == Chosen::Dop853)
     }
     fn take(&mut self, chosen: Chosen) {
         self.staged = chosen == Chosen::Dop853;

@@ -16,6 +16,7 @@ mod series_closed_in_space;
 mod series_held;
 mod series_in_space;
 mod series_loops;
+mod series_of_laws;
 mod spatial_orders;
 mod spatial_references;
 mod spatial_runs;

@@ -5,14 +5,14 @@ use crate::mechanics::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin,
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
 use crate::relation::{Closures, Cuts, Part, Symmetric, Term};
 use crate::scalar::Scalar;
-use crate::series::{AffineLaw, Strain};
+use crate::series::{ExpandLaw, Strain};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
 
 /// What a joint keeps.
 #[derive(Clone, Copy, Debug)]
-pub struct JointSeries<T> {
+pub struct JointSeries<T, const N: usize> {
     /// −1 / D, and how the acceleration of its coordinate (of its outboard body, where it turns) depends on that of the station.
     pub(super) minus_inverse: T,
     pub(super) gain: Vector2<T>,
@@ -25,10 +25,10 @@ pub struct JointSeries<T> {
     /// Where the coordinate sets out.
     pub(super) place: T,
     /// What spring and damper make of coordinate and rate.
-    pub(super) strain: Strain<T>,
+    pub(super) strain: Strain<T, N>,
 }
 
-impl<T: Scalar> JointSeries<T> {
+impl<T: Scalar, const N: usize> JointSeries<T, N> {
     pub(super) fn new() -> Self {
         let zero = T::zero();
         let gain = Vector2::new(zero, zero);
@@ -193,7 +193,7 @@ welded!(
     [] Swing<Planar<T>, N, C>: Swung<T>
 );
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for ElasticHinge<L> {
+impl<T: Scalar, L: ExpandLaw<T, N>, const N: usize> Takes<Planar<T>, Begin<N>> for ElasticHinge<L> {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
@@ -201,12 +201,12 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
         turn: Turn<T>,
         (_, _, _, (position, rate), ((), room)): Of<'_, Planar<T>, Begin<N>, Self>,
     ) -> Turn<T> {
-        room.strain = Strain::begin([*position, *rate], &self.rotary);
+        self.rotary.begin(&mut room.strain, *position, *rate);
         Joint::turned(self, position, rate, turn)
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>>
     for ElasticHinge<L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -220,7 +220,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, A
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
     for ElasticHinge<L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -237,7 +237,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
     for ElasticHinge<L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -250,7 +250,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, S
         let inboard = inboard.acceleration();
         let (angular, swung) = room.swing::<C>(inboard.linear, columns, forces);
         *acceleration = angular - inboard.angular;
-        room.strain.follow(order, *acceleration, &self.rotary);
+        self.rotary.follow(&mut room.strain, order, *acceleration);
         swung
     }
 }

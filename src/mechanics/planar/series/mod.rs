@@ -105,7 +105,7 @@ fn applied_onto<T: Scalar>([x, y]: [Vector2<T>; 2], v: Vector2<T>, sum: Vector2<
 impl<T: Scalar> Expandable for Planar<T> {
     type Articulated = Articulated<T>;
     type AxesSeries<const N: usize> = AxesSeries<T, N>;
-    type JointSeries = JointSeries<T>;
+    type JointSeries<const N: usize> = JointSeries<T, N>;
     type Begun = Turn<T>;
     type Pushed = Pushed<T>;
     type Swung = Swung<T>;
@@ -159,7 +159,7 @@ impl<T: Scalar> Expandable for Planar<T> {
         swung.acceleration()
     }
     #[inline(always)]
-    fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T>) {
+    fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T, N>) {
         (AxesSeries::new(), JointSeries::new())
     }
 }

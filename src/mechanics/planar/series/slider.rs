@@ -9,7 +9,7 @@ use crate::mechanics::planar::{Acceleration, Internal, Planar, Slider, Turn};
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Closures, Symmetric, Term};
 use crate::scalar::Scalar;
-use crate::series::{AffineLaw, Strain};
+use crate::series::ExpandLaw;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
@@ -20,7 +20,7 @@ fn pairs<T: Scalar>((z, spin, force): (Vector2<T>, T, Vector2<T>), (s, r): (T, V
     [[[z.x, z.y, z.x, z.y], [spin, spin, force.x, force.y]], [[s, s, r.x, r.y], [z.x, z.y, force.y, -force.x]]]
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for Slider<T, L> {
+impl<T: Scalar, L: ExpandLaw<T, N>, const N: usize> Takes<Planar<T>, Begin<N>> for Slider<T, L> {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
@@ -30,7 +30,8 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
     ) -> Turn<T> {
         let (z, r) = (Vector2::new(x[0], y[0]), Vector2::new(x[1], y[1]));
         (axes[0].axes, axes[0].lever) = (z, normal(r));
-        (room.place, room.strain) = (*position, Strain::begin([*position, *rate], &self.spring));
+        room.place = *position;
+        self.spring.begin(&mut room.strain, *position, *rate);
         let turned = normal(z) * turn.rate;
         let moved = add_scaled(normal(r) * turn.rate, *rate, z);
         let none = Vector2::new(T::zero(), T::zero());
@@ -41,7 +42,7 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Planar<T>, Begin<N>> for 
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<T>, N, C>>
     for Slider<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -77,7 +78,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, A
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
     for Slider<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -108,7 +109,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Term<T>, C: Closures, const N: usize> Takes<
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
     for Slider<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -132,7 +133,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Planar<T>, S
         for (axes, [turned, turning]) in axes.iter_mut().zip(pairs) {
             axes.products.keep(order.k + 1, turned, turning);
         }
-        room.strain.follow(order, *acceleration, &self.spring);
+        self.spring.follow(&mut room.strain, order, *acceleration);
         Swung::At(Acceleration { linear: outboard, angular })
     }
 }

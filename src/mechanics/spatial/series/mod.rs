@@ -58,7 +58,7 @@ pub struct AxesSeries<T, const N: usize> {
 
 /// What a joint keeps.
 #[derive(Clone, Copy)]
-pub struct JointSeries<T: Copy> {
+pub struct JointSeries<T: Copy, const N: usize> {
     /// How a ball's angular acceleration depends on the acceleration of its station, and the factors of its pivot.
     gain: Gain<T>,
     factor: Factor3<T>,
@@ -69,14 +69,14 @@ pub struct JointSeries<T: Copy> {
     bias: Vector3<T>,
     torque: Vector3<T>,
     /// What spring and damper make of the coordinate.
-    strain: Strain<T>,
+    strain: Strain<T, N>,
 }
 
 impl<T: Scalar> Expandable for Spatial<T> {
     /// Without what velocities and forces contribute.
     type Articulated = Full<T>;
     type AxesSeries<const N: usize> = AxesSeries<T, N>;
-    type JointSeries = JointSeries<T>;
+    type JointSeries<const N: usize> = JointSeries<T, N>;
     /// The angular velocity (rad/s), inertial axes.
     type Begun = Vector3<T>;
     type Pushed = Internal<T>;
@@ -124,7 +124,7 @@ impl<T: Scalar> Expandable for Spatial<T> {
     fn acceleration(swung: Acceleration<T>) -> Acceleration<T> {
         swung
     }
-    fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T>) {
+    fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T, N>) {
         let (none, matrix, symmetric) = ([products::none(); N], Columns::null(), Symmetric3::null());
         let axes = AxesSeries {
             axes: products::none(),

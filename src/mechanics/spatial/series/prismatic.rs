@@ -19,7 +19,7 @@ use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero
 use crate::relation::spatial::{Full, Pivot, Relation};
 use crate::relation::{Absent, Closures, Symmetric, Way};
 use crate::scalar::Scalar;
-use crate::series::{AffineLaw, Strain};
+use crate::series::ExpandLaw;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
@@ -40,7 +40,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for Prismatic<T, L> {
+impl<T: Scalar, L: ExpandLaw<T, N>, const N: usize> Takes<Spatial<T>, Begin<N>> for Prismatic<T, L> {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
@@ -53,12 +53,12 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for
         axes.axes = [[x, y, z, *slide], row(arm), [T::zero(); 4]];
         let moved = add_scaled(cross(spin, arm), *rate, axis);
         axes.keep_slide(0, [cross(spin, axis), moved], [zero(), spin], *rate);
-        room.strain = Strain::begin([*slide, *rate], self.law());
+        self.law().begin(&mut room.strain, *slide, *rate);
         spin
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>>
     for Prismatic<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -81,7 +81,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, 
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, C: Closures, const N: usize>
+impl<T: Scalar, L: ExpandLaw<T, N>, Q: Applied<T>, C: Closures, const N: usize>
     Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for Prismatic<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -110,7 +110,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, C: Closures, const N: usize>
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>>
     for Prismatic<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -131,7 +131,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, 
         let [turned, moved] = turned.map(|second| scaled(second, order.twice));
         let beside = [force, scaled(angular, order.once)];
         axes.keep_slide(order.k + 1, [turned, moved], beside, acceleration.scale(order.twice));
-        room.strain.follow(order, *acceleration, self.law());
+        self.law().follow(&mut room.strain, order, *acceleration);
         Acceleration { linear, angular }
     }
 }

@@ -16,7 +16,7 @@ use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero
 use crate::relation::spatial::{Full, Pivot};
 use crate::relation::{Absent, Closures, Symmetric, Way};
 use crate::scalar::Scalar;
-use crate::series::{AffineLaw, Strain};
+use crate::series::ExpandLaw;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
@@ -38,7 +38,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for Revolute<T, L> {
+impl<T: Scalar, L: ExpandLaw<T, N>, const N: usize> Takes<Spatial<T>, Begin<N>> for Revolute<T, L> {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
@@ -49,12 +49,12 @@ impl<T: Scalar, L: AffineLaw<T>, const N: usize> Takes<Spatial<T>, Begin<N>> for
         let axis = stored.x;
         axes.axes[0] = row(axis);
         axes.keep_axis(0, cross(spin, axis), beside(zero(), spin, *rate));
-        room.strain = Strain::begin([*angle, *rate], &self.law);
+        self.law.begin(&mut room.strain, *angle, *rate);
         add_scaled(spin, *rate, axis)
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatial<T>, N, C>>
     for Revolute<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -76,7 +76,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, 
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, C: Closures, const N: usize>
+impl<T: Scalar, L: ExpandLaw<T, N>, Q: Applied<T>, C: Closures, const N: usize>
     Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for Revolute<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -103,7 +103,7 @@ impl<T: Scalar, L: AffineLaw<T>, Q: Applied<T>, C: Closures, const N: usize>
     }
 }
 
-impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>>
+impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>>
     for Revolute<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
@@ -123,7 +123,7 @@ impl<T: Scalar, L: AffineLaw<T>, C: Closures, const N: usize> Takes<Spatial<T>, 
         let turned = scaled(cross_onto(angular, axis, vector(axes.curls[0])), order.twice);
         let (spin, rate) = (scaled(angular, order.once), acceleration.scale(order.once));
         axes.keep_axis(order.k + 1, turned, beside(torque, spin, rate));
-        room.strain.follow(order, *acceleration, &self.law);
+        self.law.follow(&mut room.strain, order, *acceleration);
         Acceleration { linear, angular: add_scaled(carried, *acceleration, axis) }
     }
 }
