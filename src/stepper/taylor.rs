@@ -18,6 +18,17 @@ use crate::time::Taylor;
 use num_traits::{One, Zero};
 use reach::order_for;
 
+/// 1 / (k + 1), and that divided by k + 2: what a coefficient of an acceleration is of a rate, and of a position.
+const SHARES: [[f64; 2]; 32] = {
+    let (mut shares, mut k) = ([[0.0; 2]; 32], 0);
+    while k < 32 {
+        let (next, second) = ((k + 1) as f64, (k + 2) as f64);
+        shares[k] = [1.0 / next, 1.0 / (next * second)];
+        k += 1;
+    }
+    shares
+};
+
 /// Steps by [`Taylor`].
 pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
     scene: D,
@@ -36,6 +47,8 @@ pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
     turns: (TimeIn<D, L>, [TimeIn<D, L>; P]),
     /// How many coefficients are found: `P`, or fewer where a tolerance asks for no more.
     order: usize,
+    /// The tolerance that asked for these.
+    asked: Option<TimeIn<D, L>>,
     /// Coefficients of the accelerations.
     accelerations: [D::Rate; P],
     zero: D::Rate,
@@ -67,6 +80,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
             known: Zero::zero(),
             turns: (Zero::zero(), [Zero::zero(); P]),
             order: P,
+            asked: None,
             sweeps: 0,
         }
     }
@@ -203,19 +217,19 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         position.set(zero);
         rate.set(zero);
         let (fours, few) = accelerations[..*order].as_chunks::<4>();
-        for (k, coefficients) in (4 * fours.len()..).zip(few) {
-            let (power, once) = (powers[k % 4], ((k + 1) as f64).recip());
-            room.mix_1(position, (power * real(once / (k + 2) as f64), coefficients));
+        let (shares, others) = SHARES.as_chunks::<4>().0.split_at(fours.len());
+        for (i, (coefficients, [once, twice])) in few.iter().zip(others.iter().flatten()).enumerate() {
+            let power = powers[i];
+            room.mix_1(position, (power * real(*twice), coefficients));
             position.set(room);
-            room.mix_1(rate, (power * real(once), coefficients));
+            room.mix_1(rate, (power * real(*once), coefficients));
             rate.set(room);
         }
-        for (block, [a, b, c, d]) in fours.iter().enumerate().rev() {
-            let weights: [f64; 5] = core::array::from_fn(|i| ((4 * block + i + 1) as f64).recip());
-            let of = |i: usize| powers[i] * real(weights[i] * weights[i + 1]);
+        for ([a, b, c, d], shares) in fours.iter().zip(shares).rev() {
+            let of = |i: usize| powers[i] * real(shares[i][1]);
             room.mix_3(zero, (fourth, position), (of(3), d), (of(2), c));
             position.mix_2(room, (of(1), b), (of(0), a));
-            let of = |i: usize| powers[i] * real(weights[i]);
+            let of = |i: usize| powers[i] * real(shares[i][0]);
             room.mix_3(zero, (fourth, rate), (of(3), d), (of(2), c));
             rate.mix_2(room, (of(1), b), (of(0), a));
         }
@@ -228,6 +242,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
 }
 
 impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper<D, L, P> {
+    const PLANS: bool = true;
+
     fn admit(&self, past: &MotionIn<D, L>, loads: &L, _: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         self.scene.admits(loads)?;
         if past.fits(&self.ahead) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
@@ -269,9 +285,12 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
     }
 
     fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
-        let order = order_for(tolerance.as_f64()).min(P);
-        if order != self.order {
-            (self.order, self.begun, self.expanded) = (order, false, false);
+        if self.asked != Some(tolerance) {
+            self.asked = Some(tolerance);
+            let order = order_for(tolerance.as_f64()).min(P);
+            if order != self.order {
+                (self.order, self.begun, self.expanded) = (order, false, false);
+            }
         }
         self.expand(past, loads).ok()?;
         Some(self.reach(tolerance))

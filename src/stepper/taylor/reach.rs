@@ -1,6 +1,6 @@
 //! How far a Taylor series reaches: the order and the size of a step that keep a tolerance, and how far attitudes turn in it.
 
-use super::TaylorStepper;
+use super::{SHARES, TaylorStepper};
 use crate::mirror::{Rate, Retraction};
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::TimeIn;
@@ -67,23 +67,24 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
             return size;
         }
         // Four last coefficients of the rates, each by the size of its rate.
-        let mut last = [TimeIn::<D, L>::zero(); 4];
-        for (i, most) in last.iter_mut().enumerate() {
-            let k = self.order - 4 + i;
-            self.accelerations[k].all(&self.origin.rate, &mut |term, rate| {
-                *most = most.max((term / (rate.abs() + D::Scalar::one())).real().abs());
+        let mut inverse = [0.0; 4];
+        let Self { accelerations, origin, sums: (sizes, ..), order, .. } = self;
+        sizes.set(&origin.rate);
+        sizes.replace(&mut |rate| (rate.abs() + D::Scalar::one()).recip());
+        for ((inverse, terms), [share, _]) in
+            inverse.iter_mut().zip(&accelerations[*order - 4..*order]).zip(&SHARES[*order - 4..])
+        {
+            let mut most = TimeIn::<D, L>::zero();
+            terms.all(sizes, &mut |term, size| {
+                most = most.max((term * size).real().abs());
                 true
             });
-            *most = *most / TimeIn::<D, L>::of((k + 1) as f64);
-        }
-        let mut inverse = last.map(|most| log2(most.as_f64()));
-        for (i, inverse) in inverse.iter_mut().enumerate() {
-            *inverse *= 1.0 / (self.order + i - 3) as f64;
+            *inverse = log2(most.as_f64() * share) * share;
         }
         let larger = |a: f64, b: f64| if a > b { a } else { b };
         let (before, newest) = (larger(inverse[0], inverse[1]), larger(inverse[2], inverse[3]));
         let inverse = if before > newest + 1.0 { before } else { newest };
-        let mut size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) / self.order as f64 - inverse));
+        let mut size = TimeIn::<D, L>::of(exp2(log2(tolerance.as_f64()) * SHARES[self.order - 1][0] - inverse));
         if D::Position::CURVED {
             let finite = size.min(TimeIn::<D, L>::of(2.0) / self.turns.0); // a first term of two is beyond in any case
             size = self.turned_less(TimeIn::<D, L>::of(TURNED), finite);
