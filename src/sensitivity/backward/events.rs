@@ -113,14 +113,14 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
-    /// Loads on bodies ([`under`](Self::under)) may not depend on time here, nor may the ground move or joints be driven: their part in what the last step's size changes is not found.
-    /// A law that gives other loads at three times of the last step, for a motion at its start, its end or one of its stages, is refused. So are scenes over jets, dual numbers and lanes: times are
-    /// plain numbers, and what the time of the end does to second derivatives, or in each lane, is not found.
+    /// Where the ground moves, joints are driven or loads on bodies ([`under`](Self::under)) depend on time, what the last step's size changes is found by central differences of that step, to
+    /// some 11 digits; a law is taken to depend on it that gives other loads at three times of the last step, for a motion at its start, its end or one of its stages. A cost or function that reads what
+    /// ground and drives do by themselves adds that to [`Costate::time`]. Scenes over jets, dual numbers and lanes are refused: times are plain numbers, and what the time of the end does to second
+    /// derivatives, or in each lane, is not found.
     ///
     /// # Errors
     /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step; [`Fault::NotFinite`] where the function of the event does
-    /// not change with the time of the end, so that no time is that of the event; [`Fault::Unsupported`] for loads that depend on time, ground that
-    /// moves, joints that are driven, and numbers that are not plain.
+    /// not change with the time of the end, so that no time is that of the event; [`Fault::Unsupported`] for numbers that are not plain.
     pub fn gradient_to_event(
         &mut self,
         torques: &[EffortOf<S>],
@@ -135,38 +135,13 @@ where
             let what = "the gradient up to an event of numbers that carry derivatives, or lanes: times have none";
             return Err(Error::new(Fault::Unsupported { what }));
         }
-        if const { PositionOf::<S, R, C>::CLOCKED } {
-            let what = "the gradient up to an event of joints that are driven";
-            return Err(Error::new(Fault::Unsupported { what }));
-        }
-        if const { !R::RESTS } {
-            let what = "the gradient up to an event on ground that moves";
-            return Err(Error::new(Fault::Unsupported { what }));
-        }
         let [.., past, _] = states else {
             return Err(Error::new(Fault::Count { expected: 2, given: states.len() }));
         };
         let (k, size) = (states.len() - 2, last.time - past.time);
         self.steps.take_torques(torques, k);
         self.steps.evaluate(past, size, &mut self.record);
-        if const { L::ON } {
-            let Steps { scene, zero, .. } = &self.steps;
-            let law = self.steps.loads.law;
-            let times = [0.0, 0.37, 1.0].map(|share| past.time + size * RealOf::<S>::of(share));
-            let depends = |position: &_, rate: &_| {
-                let motion = Coordinates { position, rate, acceleration: zero };
-                depend_on_time(law, scene.elements(), scene.ground(past.time), motion, &times)
-            };
-            // What multiplies the time may be zero at either end.
-            let stages = &self.record.stages.as_ref()[usize::from(!M::IMPLICIT || M::REMEMBERS)..M::STAGES]; // the first of others is `past`
-            if depends(&past.position, &past.rate)
-                || depends(&last.position, &last.rate)
-                || stages.iter().any(|stage| depends(&stage.position, &stage.rate))
-            {
-                let what = "the gradient up to an event of loads that depend on time";
-                return Err(Error::new(Fault::Unsupported { what }));
-            }
-        }
+        let over_time = self.last_depends_on_time(past, last, size);
         let mut gradient = self.begin(by_torques);
         let scratch = &mut self.scratch;
         scratch.start = gradient.start.clone();
@@ -175,10 +150,17 @@ where
         let of_event = scratch.start.clone();
         // By the size of the last step, of either alone.
         let [mut by_cost, mut by_event] = [gradient.start.time, of_event.time];
-        for (start, by_size) in [(&gradient.start, &mut by_cost), (&of_event, &mut by_event)] {
-            scratch.start.position.set(&start.position);
-            scratch.start.rate.set(&start.rate);
-            *by_size += self.steps.of_size(past, size, &self.record, scratch);
+        if over_time {
+            let mut moves = [S::Scalar::zero(); 2];
+            self.moved_by_size(past, last, [&gradient.start, &of_event], &mut moves);
+            (by_cost, by_event) = (by_cost + moves[0], by_event + moves[1]);
+        } else {
+            let scratch = &mut self.scratch;
+            for (start, by_size) in [(&gradient.start, &mut by_cost), (&of_event, &mut by_event)] {
+                scratch.start.position.set(&start.position);
+                scratch.start.rate.set(&start.rate);
+                *by_size += self.steps.of_size(past, size, &self.record, scratch);
+            }
         }
         self.steps.give_torques(&mut [], 0);
         self.steps.of_memory.set(&self.steps.zero);
@@ -193,5 +175,52 @@ where
         gradient.start.time -= share * time;
         self.pull_back(torques, states, by_torques, &mut gradient, cost)?;
         Ok(gradient)
+    }
+
+    /// Whether what acts in the last step, from a motion to one, depends on time, on ground that moves or drives.
+    fn last_depends_on_time(&self, past: &MotionOf<S, R, C, P>, last: &MotionOf<S, R, C, P>, size: RealOf<S>) -> bool {
+        if const { PositionOf::<S, R, C>::CLOCKED || !R::RESTS } {
+            return true;
+        }
+        if const { !L::ON } {
+            return false;
+        }
+        let Steps { scene, zero, .. } = &self.steps;
+        let law = self.steps.loads.law;
+        let times = [0.0, 0.37, 1.0].map(|share| past.time + size * RealOf::<S>::of(share));
+        let depends = |position: &_, rate: &_| {
+            let motion = Coordinates { position, rate, acceleration: zero };
+            depend_on_time(law, scene.elements(), scene.ground(past.time), motion, &times)
+        };
+        // What multiplies the time may be zero at either end.
+        let stages = &self.record.stages.as_ref()[usize::from(!M::IMPLICIT || M::REMEMBERS)..M::STAGES]; // the first of others is `past`
+        depends(&past.position, &past.rate)
+            || depends(&last.position, &last.rate)
+            || stages.iter().any(|stage| depends(&stage.position, &stage.rate))
+    }
+
+    /// What each of some costates sees move as the last step grows: by central differences of order four of that step, whose times move, too.
+    fn moved_by_size(
+        &mut self,
+        past: &MotionOf<S, R, C, P>,
+        last: &MotionOf<S, R, C, P>,
+        costates: [&CostateOf<S, R, C>; 2],
+        sums: &mut [S::Scalar; 2],
+    ) {
+        let (unit, mut next) = ((last.time - past.time) * RealOf::<S>::of(1.0 / 128.0), last.clone());
+        for (steps, weight) in [(1.0, 8.0), (-1.0, -8.0), (2.0, -1.0), (-2.0, 1.0)] {
+            let weight = RealOf::<S>::of(weight / 12.0) / unit;
+            self.steps.step_to(last.time + unit * RealOf::<S>::of(steps), past, &mut self.record, &mut next);
+            let moved = &mut self.scratch.start.position;
+            next.position.apart(&last.position, moved);
+            for (sum, costate) in sums.iter_mut().zip(costates) {
+                let mut add = |costate: S::Scalar, by: S::Scalar| {
+                    *sum += (costate * by).scale(weight);
+                    true
+                };
+                costate.position.all(moved, &mut add);
+                costate.rate.all(&next.rate, &mut add);
+            }
+        }
     }
 }

@@ -126,22 +126,6 @@ fn driven_joints_have_the_gradients_of_jets_by_implicit_rules() {
     );
 }
 
-/// Times are plain numbers: what the time of the end does to a law is not found.
-#[test]
-fn events_of_driven_joints_are_refused() -> Result<(), catena::Error> {
-    let rod = Rod::uniform(0.5, 1.0);
-    let law = Swing { offset: 0.4, drift: -0.7, amplitude: 0.5, frequency: 3.1 };
-    let system = System::new(Clamped::origin(), (Driven::new(Revolute::smooth(), law), rod, Pin, rod), Free)?;
-    let mut states = [system.at_rest(&[-1.0])?; 3];
-    let (mut backward, start) = (system.backward(Rk4), states[0]);
-    backward.run(&start, 0.01, 2, &[], &mut states)?;
-    let cost = |_: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| by.add(&[1.0], &[0.0]);
-    let fault =
-        backward.gradient_to_event(&[], &states, &mut [], cost, |_, by| by.add(&[1.0], &[0.0])).err().map(|e| e.fault);
-    assert!(matches!(fault, Some(catena::Fault::Unsupported { .. })), "{fault:?}");
-    Ok(())
-}
-
 /// A law of seven numbers, of which costates know six: said, not left out.
 #[test]
 fn laws_of_motion_have_six_numbers_or_less() -> Result<(), catena::Error> {

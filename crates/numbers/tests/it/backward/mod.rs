@@ -311,6 +311,7 @@ mod attitudes;
 mod chains;
 mod couplings;
 mod driven;
+mod events_over_time;
 mod joints;
 mod laws;
 mod linear;
