@@ -233,8 +233,6 @@ fn motions_of_the_ground_have_no_numbers() {
         matches!(found.map_err(|error| error.fault), Err(catena::Fault::Unsupported { .. }))
     };
     assert!(refused(gradient.along(&scene!(Jet<f64, 1>, Jet::seed(0.1, 0), Free)).map(|_| ())));
-    let up_to_an_event = backward.gradient_to_event(&[], &states, &mut [], end, |_, by| by.add(&[0.0, 1.0], &[0.0; 2]));
-    assert!(refused(up_to_an_event.map(|_| ())));
     let held = scene!(f64, 0.1, Pinned::at(1.5, -0.5));
     let (mut backward, mut states) = (held.backward(Rk4), [held.at_rest(&[-1.0, 0.5]).unwrap(); 3]);
     let start = states[0];
