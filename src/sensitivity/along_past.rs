@@ -2,9 +2,9 @@
 
 use super::PastGradient;
 use super::along::Along;
-use super::backward::Efforts;
+use super::backward::Acting;
 use super::front::parts::OfNumbers;
-use crate::adjoint::{Costates, LoadCostates, Reversed, ReversibleTip};
+use crate::adjoint::{BodyLaw, Costates, LoadCostates, Reversed, ReversibleTip};
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
@@ -27,13 +27,14 @@ type Joints<S, R, C> = <Elements<S, R, C> as Shape<S>>::Store<PerJoint<<S as Cos
 
 macro_rules! along {
     ($($Space:ident),*) => {$(
-        impl<T, R, C, P, M> PastGradient<'_, $Space<T>, R, C, P, M>
+        impl<T, R, C, P, M, L> PastGradient<'_, $Space<T>, R, C, P, M, L>
         where
             T: Scalar,
             R: Root<$Space<T>>,
             C: Element<$Space<T>>,
             P: Tip<$Space<T>>,
             M: Explicit,
+            L: BodyLaw<$Space<T>>,
         {
             /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, as
             /// [`Gradient::along`](crate::sensitivity::Gradient::along), and by friction at which joints break away, by stops and what these give back.
@@ -52,8 +53,9 @@ macro_rules! along {
                     + Shape<$Space<Jet<T, K>>, Store<PerBody<<$Space<T> as Costates>::OfBody>> = Bodies<$Space<T>, R, C>>
                     + Shape<$Space<Jet<T, K>>, Store<PerBody<<$Space<T> as LoadCostates>::OfNumbers>> = Numbers<$Space<T>, R, C>>
                     + Shape<$Space<Jet<T, K>>, Store<PerJoint<<$Space<T> as Costates>::OfJoint>> = Joints<$Space<T>, R, C>>,
+                L: Lift<T, Jet<T, K>, Over: BodyLaw<$Space<Jet<T, K>>>>,
                 System<$Space<Jet<T, K>>, Y, Z, W>:
-                    Runs<Efforts<EffortOf<$Space<Jet<T, K>>>>, $Space<Jet<T, K>>, Y, Z, W>,
+                    Runs<Acting<$Space<Jet<T, K>>, <L as Lift<T, Jet<T, K>>>::Over>, $Space<Jet<T, K>>, Y, Z, W>,
                 EffortOf<$Space<T>>: OfNumbers<T>,
                 EffortOf<$Space<Jet<T, K>>>: OfNumbers<Jet<T, K>>,
             {
@@ -66,7 +68,7 @@ macro_rules! along {
 }
 along!(Planar, Spatial);
 
-impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M> PastGradient<'_, S, R, C, P, M> {
+impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M, L: BodyLaw<S>> PastGradient<'_, S, R, C, P, M, L> {
     /// The gradient along the seeds of a start over jets, as far as that depends on them:
     /// [`Gradient::along_start`](crate::sensitivity::Gradient::along_start).
     ///

@@ -2,14 +2,15 @@
 
 use super::Backward;
 use super::rules::Staged;
-use crate::adjoint::{Burdened, Reversed, Reversible, ReversibleTip};
+use super::steps::Steps;
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
-use crate::loading::{EffortOf, Loads, Values};
+use crate::loading::{EffortOf, Values};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
-use crate::relation::{Absent, Additive, Closures};
+use crate::relation::{Additive, Closures};
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::simulate::anew::Change;
 use crate::simulate::{Now, Saved};
@@ -19,8 +20,8 @@ use alloc::vec::Vec;
 use core::cell::RefCell;
 use num_traits::One;
 
-/// Efforts in all joints, as values.
-pub type Efforts<X> = Loads<Absent, Values<Vec<X>>>;
+/// Loads on bodies, and efforts in all joints as values.
+pub type Acting<S, L> = <L as BodyLaw<S>>::Beside<Values<Vec<EffortOf<S>>>>;
 
 /// A run past changes of mode: its states, and how each follows from that before it. Made by [`Backward::course`].
 #[derive(Clone, Debug)]
@@ -68,14 +69,15 @@ impl<M, X, R> Course<M, X, R> {
     }
 }
 
-impl<'s, S, R, C, P, M> Backward<'s, S, R, C, P, M>
+impl<'s, S, R, C, P, M, L> Backward<'s, S, R, C, P, M, L>
 where
     S: Reversed,
     R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Explicit + Staged,
-    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, Absent, P::Closures>,
+    L: BodyLaw<S>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     EffortOf<S>: Additive,
 {
@@ -122,8 +124,12 @@ where
         torques: &[EffortOf<S>],
     ) -> Result<CourseOf<S, R, C, P>, Error>
     where
-        System<S, R, C, P>: Runs<Efforts<EffortOf<S>>, S, R, C, P>,
+        System<S, R, C, P>: Runs<Acting<S, L>, S, R, C, P>,
     {
+        if const { Steps::<S, R, C, P, M, L>::TIED } {
+            let what = "the gradient of a run past changes of mode whose joints are coupled";
+            return Err(Error::new(Fault::Unsupported { what }));
+        }
         let joints = self.steps.scene.joints();
         let intervals = (torques.len() / joints.max(1)).max(1);
         self.suits(intervals, torques.len())?;
@@ -137,7 +143,7 @@ where
         course.states.push(start.clone());
         let mut left = None;
         for interval in 0..intervals {
-            let loads = Loads::none().efforts(course.efforts(interval).to_vec());
+            let loads = self.steps.loads.law.beside(Values(course.efforts(interval).to_vec()));
             let simulation = self.steps.scene.simulation(Rule { method: self.method, control }).loads(&loads);
             let share = RealOf::<S>::of((interval + 1) as f64 / intervals as f64);
             let until = if interval + 1 == intervals { end } else { start.time + (end - start.time) * share };

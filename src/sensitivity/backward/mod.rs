@@ -39,9 +39,9 @@ use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 pub use checkpoints::Checkpoints;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub use course::Course;
+pub(super) use course::Acting;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
-pub(super) use course::Efforts;
+pub use course::Course;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use past::PastGradient;
 use record::RecordOf;
@@ -128,7 +128,7 @@ pub use tape::Tape;
 ///
 /// Joints with modes, [`Coulomb`](crate::planar::Coulomb) and [`HardStops`](crate::planar::HardStops), change these at times that hang on everything:
 /// such runs are made by [`course`](Self::course), by explicit rules, and their gradients by [`gradient_past`](Self::gradient_past); torques are held
-/// over the run, and nothing acts on bodies. All else here refuses such scenes.
+/// over the run or over intervals of it, and a law may act on bodies ([`under`](Self::under)). All else here refuses such scenes.
 ///
 /// The ground of a root may [move](crate::planar::Moving), as long as nothing is held and no loop closes: parameters of its motion are not among the
 /// derivatives, and are refused where the gradient is asked for along them.

@@ -4,15 +4,15 @@
 //! at a fixed time has the jump terms of that time in it (`src/simulate/jump.rs`), and costates go back by x̄⁻ = Jᵀ x̄⁺. A change is made once more
 //! over jets, whose seeds are eight numbers of x⁻ or torques at a time, or those of the scene that the gradient is asked for along.
 
-use super::course::{Course, CourseOf, Efforts, Link};
+use super::course::{Acting, Course, CourseOf, Link};
 use super::rules::Staged;
 use super::{Backward, CostateOf, GradientOf};
-use crate::adjoint::{Burdened, Reversed, Reversible, ReversibleTip};
-use crate::element::{Element, Space, Unloaded};
+use crate::adjoint::{BodyLaw, Burdened, OfLaw, Reversed, Reversible, ReversibleTip};
+use crate::element::{Element, Loading, Space, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::loading::{EffortOf, Loads};
+use crate::loading::{EffortOf, Values};
 use crate::mirror::{Mode, Position, Rate};
 use crate::motion::Motion;
 use crate::relation::{Absent, Additive, Closures, Geometry};
@@ -34,33 +34,36 @@ type Over<S> = <S as SpaceOver<Seeded<S>>>::Over;
 type Part<S, X> = <X as Lift<<S as Geometry>::Scalar, Seeded<S>>>::Over;
 
 /// The gradient of a cost by all that a run past changes of mode depends on.
-pub struct PastGradient<'c, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M> {
+pub struct PastGradient<'c, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M, L: BodyLaw<S> = Absent> {
     /// What steps do.
-    pub(in crate::sensitivity) steps: GradientOf<S, R, C, Absent>,
+    pub(in crate::sensitivity) steps: GradientOf<S, R, C, L>,
     course: &'c CourseOf<S, R, C, P>,
     /// Costates after each change of mode, of positions and then of rates, the last change first.
     costates: Vec<(usize, Vec<S::Scalar>)>,
     method: M,
+    law: L,
     of: PhantomData<P>,
 }
 
-impl<S, R, C, P, M> Backward<'_, S, R, C, P, M>
+impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
-    S: Reversed + SpaceOver<Seeded<S>, Over: Varied>,
+    S: Reversed + SpaceOver<Seeded<S>, Over: Varied + Reversed>,
     R: Root<S> + Lift<S::Scalar, Seeded<S>, Over: Root<Over<S>>>,
     C: Element<S> + Lift<S::Scalar, Seeded<S>, Over: Element<Over<S>>>,
     P: ReversibleTip<S> + Lift<S::Scalar, Seeded<S>, Over: Tip<Over<S>>>,
     M: Explicit + Staged,
-    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, Absent, P::Closures>,
+    L: BodyLaw<S, OfNumbers = OfLaw<S::Scalar>> + Lift<S::Scalar, Seeded<S>, Over: BodyLaw<Over<S>>>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     System<Over<S>, Part<S, R>, Part<S, C>, Part<S, P>>:
-        Runs<Efforts<EffortOf<Over<S>>>, Over<S>, Part<S, R>, Part<S, C>, Part<S, P>>,
+        Runs<Acting<Over<S>, Part<S, L>>, Over<S>, Part<S, R>, Part<S, C>, Part<S, P>>,
     EffortOf<S>: Additive + OfNumbers<S::Scalar>,
     EffortOf<Over<S>>: OfNumbers<Seeded<S>>,
 {
     /// The gradient of a cost by everything, for a run past changes of mode: `cost` is told the number of each of the course's
     /// [states](Course::states), the last first, and adds the derivatives of the cost by its position and rate. `by_torques` becomes the gradient by the
-    /// torques of each interval, or of all summed up; it may be empty.
+    /// torques of each interval, or of all summed up; it may be empty. Of a law of loads on bodies ([`under`](Self::under)) the gradient has
+    /// [`by_loads`](PastGradient::by_loads).
     ///
     /// The steps are those that were accepted, their sizes held, but those that end where a mode changes: when that is hangs on everything. So a
     /// gradient is that of the motion, shocks included, but for what steps err. A step that begins in a mode keeps it: derivatives of the rate of a joint
@@ -74,11 +77,15 @@ where
         course: &'c CourseOf<S, R, C, P>,
         by_torques: &mut [EffortOf<S>],
         mut cost: impl FnMut(usize, &MotionOf<S, R, C, P>, &mut CostateOf<S, R, C>) -> Result<(), Error>,
-    ) -> Result<PastGradient<'c, S, R, C, P, M>, Error> {
+    ) -> Result<PastGradient<'c, S, R, C, P, M, L>, Error> {
         let Course { states, links, efforts, .. } = course;
         let Some(last) = states.last().filter(|last| self.fits(last)) else { return Err(Error::new(Fault::Shape)) };
         self.suits(efforts.len() / course.joints.max(1), by_torques.len())?;
-        let scene = self.steps.scene.lift(Jet::of);
+        let (scene, law) = (self.steps.scene.lift(Jet::of), self.steps.loads.law);
+        let (still, method) = (law.lift(&mut Jet::of), self.method);
+        let again = |k, change, loads: &_, before| {
+            course.changed::<Over<S>, _, _, _, _, _, WIDTH>(k, change, method, &scene, loads, before)
+        };
         let mut gradient = self.begin(by_torques);
         let (mut past_changes, mut of_torques) =
             (Vec::new(), alloc::vec![S::Scalar::zero(); numbers_of(efforts).len()]);
@@ -103,10 +110,17 @@ where
                     let mut before = Vec::with_capacity(count + WIDTH);
                     for first in (0..count).step_by(WIDTH) {
                         let at = scene.with_seeds(of_plain(&scene, past)?, first);
-                        let at = (at, seeds(efforts, first.wrapping_sub(after.len())));
-                        let found =
-                            course.changed::<Over<S>, _, _, _, _, WIDTH>(k, *change, self.method, &scene, at)?;
+                        let loads = still.beside(Values(seeds(efforts, first.wrapping_sub(after.len()))));
+                        let found = again(k, *change, &loads, at)?;
                         before.extend(contracted(&after, &found));
+                    }
+                    // By numbers of the law: six at most, or nobody is told of them.
+                    if const { L::ON } {
+                        let mut number = 0..;
+                        let seeded = law.lift(&mut |x| Jet::seed(x, number.next().unwrap_or(WIDTH)));
+                        let loads = seeded.beside(Values(seeds(efforts, NO_SEEDS)));
+                        let found = again(k, *change, &loads, of_plain(&scene, past)?)?;
+                        gradient.law.0.iter_mut().zip(contracted(&after, &found)).for_each(|(sum, more)| *sum += more);
                     }
                     let mut list = before.into_iter();
                     for costate in [&mut gradient.start.position, &mut gradient.start.rate] {
@@ -130,11 +144,11 @@ where
             }
         }
         self.finish(&states[0], &mut gradient)?;
-        Ok(PastGradient { steps: gradient, course, costates: past_changes, method: self.method, of: PhantomData })
+        Ok(PastGradient { steps: gradient, course, costates: past_changes, method, law, of: PhantomData })
     }
 }
 
-impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> PastGradient<'_, S, R, C, P, M> {
+impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L: BodyLaw<S>> PastGradient<'_, S, R, C, P, M, L> {
     /// By the positions of the start, root to tip, as a list.
     pub fn by_position(&self) -> Vec<S::Scalar> {
         self.steps.by_position()
@@ -145,17 +159,26 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> PastGradien
         self.steps.by_rate()
     }
 
+    /// By the numbers of the law of loads on bodies: [`Gradient::by_loads`](crate::sensitivity::Gradient::by_loads).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn by_loads(&self) -> Result<&[S::Scalar], Error> {
+        self.steps.by_loads()
+    }
+
     /// What changes of mode do along the seeds of a scene over jets.
     pub(in crate::sensitivity) fn changes_along<X, Y, Z, W, const K: usize>(
         &self,
         scene: &System<X, Y, Z, W>,
     ) -> Result<[S::Scalar; K], Error>
     where
-        X: Space<Scalar = Jet<S::Scalar, K>>,
+        X: Reversed<Scalar = Jet<S::Scalar, K>>,
         Y: Root<X>,
         Z: Element<X>,
         W: Tip<X>,
-        System<X, Y, Z, W>: Runs<Efforts<EffortOf<X>>, X, Y, Z, W>,
+        L: Lift<S::Scalar, Jet<S::Scalar, K>, Over: BodyLaw<X>>,
+        System<X, Y, Z, W>: Runs<Acting<X, <L as Lift<S::Scalar, Jet<S::Scalar, K>>>::Over>, X, Y, Z, W>,
         EffortOf<S>: OfNumbers<S::Scalar>,
         EffortOf<X>: OfNumbers<Jet<S::Scalar, K>>,
     {
@@ -163,8 +186,9 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> PastGradien
         for (k, after) in &self.costates {
             let (Link::Change(change), interval) = self.course.links[*k] else { continue };
             let at = of_plain(scene, &self.course.states[*k])?;
-            let still = seeds(self.course.efforts(interval), NO_SEEDS);
-            let found = self.course.changed(*k, change, self.method, scene, (at, still))?;
+            let efforts = Values(seeds(self.course.efforts(interval), NO_SEEDS));
+            let loads = self.law.lift(&mut Jet::of).beside(efforts);
+            let found = self.course.changed(*k, change, self.method, scene, &loads, at)?;
             sum.iter_mut().zip(contracted(after, &found)).for_each(|(sum, more)| *sum += more);
         }
         Ok(sum)
@@ -172,14 +196,15 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit> PastGradien
 }
 
 impl<T: Scalar, Q: Position<T>, D: Closures, E: OfNumbers<T>> Course<Motion<T, Q, D>, E, T::Real> {
-    /// The change of mode after a state, made once more of a motion over jets under efforts over jets.
-    fn changed<X, Y, Z, W, M, const K: usize>(
+    /// The change of mode after a state, made once more of a motion over jets under loads over jets.
+    fn changed<X, Y, Z, W, M, A, const K: usize>(
         &self,
         k: usize,
         change: Change<T::Real>,
         method: M,
         scene: &System<X, Y, Z, W>,
-        (before, efforts): (MotionOf<X, Y, Z, W>, Vec<EffortOf<X>>),
+        loads: &A,
+        before: MotionOf<X, Y, Z, W>,
     ) -> Result<MotionOf<X, Y, Z, W>, Error>
     where
         X: Space<Scalar = Jet<T, K>>,
@@ -187,12 +212,12 @@ impl<T: Scalar, Q: Position<T>, D: Closures, E: OfNumbers<T>> Course<Motion<T, Q
         Z: Element<X>,
         W: Tip<X>,
         M: Explicit,
-        System<X, Y, Z, W>: Runs<Efforts<EffortOf<X>>, X, Y, Z, W>,
+        A: Loading<X>,
+        System<X, Y, Z, W>: Runs<A, X, Y, Z, W>,
     {
         let rule = Rule { method, control: self.control };
-        let loads = Loads::none().efforts(efforts);
         let began = of_plain(scene, &self.states[k.saturating_sub(1)])?;
-        let found = scene.simulation(rule).loads(&loads).changed(change, &began, before)?;
+        let found = scene.simulation(rule).loads(loads).changed(change, &began, before)?;
         let expected = &self.states[k + 1];
         let slack = Elementary::sqrt(T::Real::EPSILON);
         let near = |a: T, b: T| (a - b).real().abs() <= slack * (T::Real::one() + b.real().abs());
