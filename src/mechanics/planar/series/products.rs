@@ -9,13 +9,13 @@ use crate::scalar::Scalar;
 /// ```
 ///
 /// of which the two products with coefficients that have just been found are formed by whoever finds them, while they are at hand: all
-/// others need not wait for these.
+/// others need not wait for these. No four numbers lie across two lines of a cache.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Products<T, const N: usize> {
     /// a₀ and b₀.
     first: [[T; 4]; 2],
-    /// a₀ b_k + a_k b₀ of the present order.
+    /// a₀ b_k + a_k b₀ of the present order, and then c_k.
     newest: [T; 4],
     /// a_j from j = 1 on.
     turned: [[T; 4]; N],
@@ -61,6 +61,7 @@ impl<T: Scalar, const N: usize> Products<T, N> {
                 *sum = core::array::from_fn(|i| a[j][i].mul_add(b[2 - j][i], sum[i]));
             }
         }
+        // Kept where they are stored at once, four numbers stay in one register.
         let [a, b, c] = sums;
         self.newest = core::array::from_fn(|i| (a[i] + b[i] + c[i]) + self.newest[i]);
         self.newest
