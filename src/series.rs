@@ -88,6 +88,12 @@ impl<R: Real> Order<R> {
         let once = one / next;
         Self { k, next, once, twice: once / (next + one) }
     }
+
+    /// The coefficient of this order of a list; of a shorter one, which nobody asks for, the last.
+    #[inline(always)]
+    pub fn among<Q: Copy, const N: usize>(&self, coefficients: &[Q; N]) -> Q {
+        coefficients[self.k.min(N - 1)]
+    }
 }
 
 /// Elements whose motion has a Taylor series of order `N` through kept gains, under efforts `Q` in joints and closure forces `C`.

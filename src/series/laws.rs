@@ -72,10 +72,13 @@ where
         strain.now = [position, rate];
         if const { L::LINEAR } {
             strain.effort = -self.pivot(position, rate, Along([position, rate]));
-        } else if let Some(place) = strain.rates.get_mut(order.k + 1) {
+            return;
+        }
+        let number = order.k + 1;
+        if let Some(place) = strain.rates.get_mut(number) {
             *place = rate;
-            let ([position, rate], law) = (strain.series(order.k + 1), self.lift(&mut Powers::of));
-            strain.effort = law.force(position, rate).terms()[order.k + 1];
+            let ([position, rate], law) = (strain.series(number), self.lift(&mut Powers::of));
+            strain.effort = law.force(position, rate).terms()[number];
         }
     }
 }

@@ -30,6 +30,11 @@ pub fn near(found: f64, expected: f64, tolerance: f64) {
     assert!(error <= tolerance, "found {found:.16e}, expected {expected:.16e}, error {error:.1e} > {tolerance:.1e}");
 }
 
+/// The derivative of a function at zero, by central differences of order four.
+pub fn derivative(h: f64, at: impl Fn(f64) -> f64) -> f64 {
+    (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h)
+}
+
 /// Slope of a straight line through the logarithms of errors over those of step sizes, by least squares.
 pub fn slope(points: &[(f64, f64)]) -> f64 {
     let logs: Vec<(f64, f64)> = points.iter().map(|(step, error)| (step.ln(), error.ln())).collect();

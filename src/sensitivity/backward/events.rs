@@ -113,10 +113,11 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
-    /// Where the ground moves, joints are driven or loads on bodies ([`under`](Self::under)) depend on time, what the last step's size changes is found by central differences of that step, to
-    /// some 11 digits; a law is taken to depend on it that gives other loads at three times of the last step, for a motion at its start, its end or one of its stages. A cost or function that reads what
-    /// ground and drives do by themselves adds that to [`Costate::time`]. Scenes over jets, dual numbers and lanes are refused: times are plain numbers, and what the time of the end does to second
-    /// derivatives, or in each lane, is not found.
+    /// Where the ground moves, joints are driven or loads on bodies ([`under`](Self::under)) depend on time, what the last step's size changes is
+    /// found by central differences of that step, to some 11 digits; a law is taken to depend on it that gives other loads at three times of the
+    /// last step, for a motion at its start, its end or one of its stages. A cost or function that reads what ground and drives do by themselves
+    /// adds that to [`Costate::time`]. Scenes over jets, dual numbers and lanes are refused: times are plain numbers, and what the time of the end
+    /// does to second derivatives, or in each lane, is not found.
     ///
     /// # Errors
     /// As [`gradient`](Self::gradient); [`Fault::Count`] for a run without a step; [`Fault::NotFinite`] where the function of the event does

@@ -124,7 +124,8 @@ pub use tape::Tape;
 /// all, or a law of the user's own, through links, and through flanges to all that was said; by masses, mass centres, tensors, places and turns of
 /// joints, reflected inertias. What a type says to be zero has no derivative.
 ///
-/// Joints in all of these may be [`Driven`](crate::planar::Driven) by a law that can be lifted: its numbers are parameters. Joints may [follow others](crate::planar::Couplings) where nothing is held or closed.
+/// Joints in all of these may be [`Driven`](crate::planar::Driven) by a law that can be lifted: its numbers are parameters. Joints may
+/// [follow others](crate::planar::Couplings) where nothing is held or closed.
 ///
 /// Joints with modes, [`Coulomb`](crate::planar::Coulomb) and [`HardStops`](crate::planar::HardStops), change these at times that hang on everything:
 /// such runs are made by [`course`](Self::course), by explicit rules, and their gradients by [`gradient_past`](Self::gradient_past); torques are held

@@ -1,6 +1,7 @@
 //! How far a Taylor series reaches: the order and the size of a step that keep a tolerance, and how far attitudes turn in it.
 
-use super::{SHARES, TaylorStepper};
+use super::TaylorStepper;
+use super::sums::SHARES;
 use crate::mirror::{Rate, Retraction};
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::TimeIn;

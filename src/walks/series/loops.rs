@@ -72,7 +72,7 @@ where
         side: impl FnOnce(&mut Self::In<Side<OwnOf<S, K>>>, S::Pushed) -> S::Pushed,
     ) -> S::Pushed {
         let (order, none) = (self.order, zeros::<S, OwnOf<S, K>>());
-        *through = closing.exerted(efforts[order.k]);
+        *through = closing.exerted(order.among(efforts));
         let mut in_side = Push { order, gaps: none, efforts: PhantomData };
         let mut in_main = Push { order, gaps: (zeros::<S, C>(), none), efforts: PhantomData };
         let side = S::felt(side(&mut in_side, S::pushed(*through)));

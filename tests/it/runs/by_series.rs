@@ -63,13 +63,11 @@ macro_rules! beside_dop853 {
 }
 pub(super) use beside_dop853;
 
-/// Whether a scene that is closed moves so, and is held by the same forces at all stations, those through the joints that close loops among
-/// them. A torque has a size by `$size`.
-macro_rules! closed_beside_dop853 {
+/// Whether a scene moves so, with the same forces at all stations. A torque has a size by `$size`.
+macro_rules! beside_dop853_with_forces {
     ($name:expr, $scene:expr, $loads:expr, $start:expr, $end:expr, $size:ident) => {{
         let (scene, loads) = (&$scene, &$loads);
-        let start = scene.assembled($start, &Unloaded)?;
-        let (series, other) = beside_dop853!(24, *scene, *loads, start, $end);
+        let (series, other) = beside_dop853!(24, *scene, *loads, $start, $end);
         let (a, b) = (&series.motion, &other.motion);
         let mut of_force = 0.0_f64;
         for (a, b) in scene.stations(a, loads)?.iter().zip(scene.stations(b, loads)?.iter()) {
@@ -80,6 +78,16 @@ macro_rules! closed_beside_dop853 {
         let off = [apart(&a.coordinates(), &b.coordinates()), of_acceleration, of_force];
         move_alike($name, [series.steps, other.steps], off);
         assert!(series.rejected == 0);
+    }};
+}
+pub(super) use beside_dop853_with_forces;
+
+/// Whether a scene that is closed moves so, and is held by the same forces at all stations, those through the joints that close loops among
+/// them.
+macro_rules! closed_beside_dop853 {
+    ($name:expr, $scene:expr, $loads:expr, $start:expr, $end:expr, $size:ident) => {{
+        let start = $scene.assembled($start, &Unloaded)?;
+        beside_dop853_with_forces!($name, $scene, $loads, start, $end, $size);
     }};
 }
 pub(super) use closed_beside_dop853;

@@ -3,7 +3,8 @@
 //! Coefficients are those of `series_closed_in_space.csv`, whose head says how they were found.
 
 use super::by_series::{
-    apart, are_coefficients_of, beside_dop853, closed_beside_dop853, expansion, goes_on, move_alike,
+    apart, are_coefficients_of, beside_dop853, beside_dop853_with_forces, closed_beside_dop853, expansion, goes_on,
+    move_alike,
 };
 use catena::Error;
 use catena::spatial::*;

@@ -3,8 +3,8 @@
 //! Coefficients are those of `series_loops.csv`, whose head says how they were found.
 
 use super::by_series::{
-    Drive, apart, are_coefficients_of, beside_dop853, closed_beside_dop853, ends_in_single_precision,
-    errors_within_steps, expansion, goes_on, hangs_at_odd_quarters, move_alike,
+    Drive, apart, are_coefficients_of, beside_dop853, beside_dop853_with_forces, closed_beside_dop853,
+    ends_in_single_precision, errors_within_steps, expansion, goes_on, hangs_at_odd_quarters, move_alike,
 };
 use catena::planar::*;
 use catena::{Error, Scalar};

@@ -74,23 +74,15 @@ impl<T: Scalar, const N: usize> JointSeries<T, N> {
     /// Frees the rotation of the torque that is missed, given that which is known: the force inboard.
     #[cfg_attr(optimised, inline(always))]
     fn release(&mut self, outer: Pushed<T>, missed: impl FnOnce(T) -> T) -> Vector2<T> {
-        match outer {
-            Pushed::None => {
-                let missed = missed(T::zero());
-                self.free = missed * self.minus_inverse;
-                self.gain * missed
-            }
-            Pushed::Felt(Internal { force, torque }) => {
-                let missed = missed(torque);
-                self.free = missed * self.minus_inverse;
-                add_scaled(force, missed, self.gain)
-            }
-            Pushed::Levered { known, force, lever } => {
-                let missed = missed(known.torque);
-                self.free = plus_dot(missed, lever, force) * self.minus_inverse;
-                applied_onto(self.through[0], force, add_scaled(known.force, missed, self.gain))
-            }
+        if let Pushed::Levered { known, force, lever } = outer {
+            let missed = missed(known.torque);
+            self.free = plus_dot(missed, lever, force) * self.minus_inverse;
+            return applied_onto(self.through[0], force, add_scaled(known.force, missed, self.gain));
         }
+        let Internal { force, torque } = outer.felt();
+        let missed = missed(torque);
+        self.free = missed * self.minus_inverse;
+        add_scaled(force, missed, self.gain)
     }
 
     /// Turns what lies outboard: its angular acceleration, under closure forces, and how it depends on the acceleration of the station.
@@ -147,7 +139,7 @@ impl<T: Scalar, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<P
         outer: Pushed<T>,
         (((), room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
     ) -> Pushed<T> {
-        let effort = efforts[order.k.min(N - 1)];
+        let effort = order.among(efforts);
         let force = room.release(outer, |torque| effort.take_from(torque));
         *gaps = C::zip(gaps, columns, |gap, w| (-w.torque).mul_add(room.free, gap));
         // To add −0 changes nothing, and compilers leave it out.
@@ -230,7 +222,7 @@ impl<T: Scalar, L: ExpandLaw<T, N>, Q: Term<T>, C: Closures, const N: usize> Tak
         outer: Pushed<T>,
         (((), room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
     ) -> Pushed<T> {
-        let torque = efforts[order.k.min(N - 1)].add_to(room.strain.effort);
+        let torque = order.among(efforts).add_to(room.strain.effort);
         let force = room.release(outer, |known| known - torque);
         *gaps = C::zip(gaps, columns, |gap, w| (-w.torque).mul_add(room.free, gap));
         Pushed::Felt(Internal { force, torque })

@@ -97,7 +97,7 @@ impl<T: Scalar, L: ExpandLaw<T, N>, Q: Term<T>, C: Closures, const N: usize> Tak
         (arm.curl, line.curl) = (curl, known);
         let force = arm.inner.apply_onto(known, outer.force);
         let torque = plus_dot(outer.torque, arm.moment, known);
-        let missed = dot(line.axes, force) + (along + more) - efforts[order.k].add_to(room.strain.effort);
+        let missed = dot(line.axes, force) + (along + more) - order.among(efforts).add_to(room.strain.effort);
         room.free = missed * room.minus_inverse;
         // Columns are kept as they are once the line has yielded.
         let left = room.free - dot(room.gain, known);

@@ -117,7 +117,7 @@ impl<T: Scalar, Q: Applied<T>, C: Closures, const N: usize> Takes<Spatial<T>, Pu
         );
         let [p, q, r]: [T; 3] = scaled(turned, order.next).into();
         axes.curls[0] = [p, q, r, ((x[1] + y[2] + z[3]) * quarter).scale(order.next)];
-        let (missed, torque) = match efforts[order.k].torque() {
+        let (missed, torque) = match order.among(efforts).torque() {
             Some(torque) => {
                 let couple = axes.couple(order.k, torque);
                 (outer.torque - couple, couple)

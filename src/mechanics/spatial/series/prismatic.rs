@@ -98,7 +98,7 @@ impl<T: Scalar, L: ExpandLaw<T, N>, Q: Applied<T>, C: Closures, const N: usize>
         axes.curls[0] = row(turned);
         let both = order.next * (order.next + T::Real::one());
         room.bias = add_scaled(scaled(Vector3::new(x[3], y[3], z[3]), both), axes.axes[0][3], turned);
-        let effort = efforts[order.k].onto(0, room.strain.effort);
+        let effort = order.among(efforts).onto(0, room.strain.effort);
         let missed = dot(axis, outer.force) + (x[0] + y[0] + z[0]) - effort;
         room.pivot.free = missed * room.minus_inverse;
         *gaps = C::zip(gaps, columns, |gap, w| (-missed).mul_add(dot(axis, w.torque), gap - dot(w.force, room.bias)));

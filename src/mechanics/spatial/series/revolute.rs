@@ -91,7 +91,7 @@ impl<T: Scalar, L: ExpandLaw<T, N>, Q: Applied<T>, C: Closures, const N: usize>
         let turned = Vector3::new(z[2] - y[1], x[2] - z[1], y[2] - x[1]);
         axes.curls[0] = row(scaled(turned, order.next));
         room.bias = scaled(Vector3::new(x[3], y[3], z[3]), order.next);
-        let effort = efforts[order.k].onto(0, room.strain.effort);
+        let effort = order.among(efforts).onto(0, room.strain.effort);
         let axis = vector(axes.axes[0]);
         let missed = dot(axis, outer.torque) + (x[0] + y[0] + z[0]) - effort;
         room.pivot.free = missed * room.minus_inverse;

@@ -11,7 +11,7 @@ mod names {
     pub(super) use catena::Scalar;
     pub(super) use catena::planar::*;
     pub(super) use catena::scalar::Jet;
-    pub(super) use catena_oracle::{Noise, near};
+    pub(super) use catena_oracle::{Noise, derivative, near};
 }
 
 /// Some thousand roundings.
@@ -83,7 +83,7 @@ fn agrees(
     let difference = |&j: &usize| {
         let e = 2e-4 * numbers[j].abs().max(0.1);
         let at = |e: f64| cost(&|k: usize| numbers[k] + if k == j { e } else { 0.0 });
-        (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
+        catena_oracle::derivative(e, at)
     };
     let differences: Vec<f64> = some.iter().map(difference).collect();
     let found: Vec<f64> = some.iter().map(|j| found[*j]).collect();

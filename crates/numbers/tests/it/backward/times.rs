@@ -146,7 +146,7 @@ fn events_move_with_all_that_runs_depend_on() {
             assert_eq!(number, steps);
             values[which]
         };
-        (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
+        derivative(e, at)
     };
     let expected: Vec<f64> =
         (0..2).flat_map(|which| (0..11).map(move |j| (which, j))).map(|(w, j)| difference(w, j)).collect();

@@ -68,7 +68,7 @@ macro_rules! up_to_an_event {
                     assert_eq!(number, steps);
                     values[which]
                 };
-                (8.0 * (at(e) - at(-e)) - (at(2.0 * e) - at(-2.0 * e))) / (12.0 * e)
+                catena_oracle::derivative(e, at)
             };
             let differences: Vec<f64> = (0..13).map(difference).collect();
             alike(&format!("up to an event, {:?}, {which}", $method), KINDS, found, &differences, 1e-7);
