@@ -61,6 +61,8 @@ pub trait Expandable: Space {
     fn felt(pushed: Self::Pushed) -> WrenchOf<Self>;
     /// An acceleration, to be carried outward.
     fn accelerated(acceleration: AccelerationOf<Self>) -> Self::Swung;
+    /// No acceleration, to be carried outward.
+    fn still() -> Self::Swung;
     /// The acceleration that is carried.
     fn acceleration(swung: Self::Swung) -> AccelerationOf<Self>;
     /// Nothing has been kept.

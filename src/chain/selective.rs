@@ -38,7 +38,7 @@ macro_rules! takes_of {
 for_each_tuple!(takes_tuple);
 
 impl<S: Space, W: Selective<S>, A: Takes<S, W>, const K: usize> Takes<S, W> for [A; K] {
-    #[inline]
+    #[cfg_attr(optimised, inline(always))]
     fn take(&self, walk: &mut W, carried: W::Carried, stores: Of<'_, S, W, Self>) -> W::Carried {
         take_items::<S, W, Self>(self, walk, carried, stores)
     }

@@ -74,9 +74,10 @@ pub struct SeriesRoom<S: Expandable, E: Shape<S>, Q: Part, O: Own, const N: usiz
 }
 
 impl<S: Expandable, R: Root<S>, C: Element<S>, P: ExpandTip<S>> System<S, R, C, P> {
-    /// The walks of one order, for a ground that accelerates like this: one copy for all. Returns the forces that hold the tip.
+    /// The walks of one order, for a ground that accelerates like this: one copy for the first one, and one for all others, in which it does not.
+    /// Returns the forces that hold the tip.
     #[inline(never)]
-    fn coefficients_of<Q: Part, const N: usize>(
+    fn coefficients_of<Q: Part, const N: usize, const FIRST: bool>(
         &self,
         k: usize,
         ground: AccelerationOf<S>,
@@ -94,7 +95,8 @@ impl<S: Expandable, R: Root<S>, C: Element<S>, P: ExpandTip<S>> System<S, R, C, 
         let gaps = P::Closures::reduced(gain, &push.gaps);
         let forces = P::Closures::forces(gain, |w| w.work(&ground), &(), &gaps);
         let mut swing = Swing::<S, N, P::Closures> { order, forces };
-        self.chain.take(&mut swing, S::accelerated(ground), ((axes, joints, columns), accelerations));
+        let ground = if FIRST { S::accelerated(ground) } else { S::still() };
+        self.chain.take(&mut swing, ground, ((axes, joints, columns), accelerations));
         forces
     }
 }
@@ -149,13 +151,13 @@ where
         self.chain.take(&mut articulate, S::nothing(), (axes, joints, columns));
         let cuts = Cuts::none().around(P::Closures::each(|_| Wrench::none())).joined(&articulate.cuts, |a, b| a + b);
         (_, *gain) = P::Closures::eliminate(cuts, gain.measure(), WrenchOf::<S>::plus_scaled, |_, _, _| ());
-        self.coefficients_of(0, ground.falling(self.gravity), series, acceleration)
+        self.coefficients_of::<_, N, true>(0, ground.falling(self.gravity), series, acceleration)
     }
 
     #[inline(never)]
     fn expand(&self, series: &mut Self::Series, accelerations: &mut [RateOf<S, R, C>]) {
         for (k, acceleration) in accelerations.iter_mut().enumerate() {
-            self.coefficients_of(k + 1, Acceleration::zero(), series, acceleration);
+            self.coefficients_of::<_, N, false>(k + 1, Acceleration::zero(), series, acceleration);
         }
     }
 

@@ -18,8 +18,10 @@ use crate::mechanics::planar::{Acceleration, Body, Internal, Planar, PointMass, 
 use crate::relation::planar::algebra::{Symmetric2, add_scaled, dot, normal, plus_dot};
 use crate::relation::{Closures, Part, Symmetric};
 use crate::scalar::Scalar;
+use crate::series::Order;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
+use core::array::from_fn;
 use nalgebra::Vector2;
 
 /// What a body keeps of its axes; a joint that slides has two.
@@ -35,8 +37,55 @@ pub struct AxesSeries<T, const N: usize> {
     /// Of the present order: p, and what is known of Y.
     pub(super) curl: Vector2<T>,
     pub(super) known: Vector2<T>,
+    /// How what it finds hangs on α, where this is a body.
+    pub(super) found: Found<T>,
     /// What is convolved.
     pub(super) products: Products<T, N>,
+}
+
+/// How what a body finds hangs on α: of the next number i z and Y, four numbers side by side, and the newest products,
+///
+/// ```text
+/// (i z, Y) = known + (A / (k + 1) (k + 2) + B) α      newest = (ω₀, i z₁) (i z, Y) + (i z₁, 0) α / (k + 1)
+/// ```
+///
+/// entry by entry, A of i z alone and B of Y. So all but two products are at hand when α comes, for which the next order waits.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Found<T> {
+    /// A and B.
+    turned: [T; 4],
+    pulled: [T; 4],
+    /// What the newest products have of these four, and of ω.
+    of_found: [T; 4],
+    of_rate: [T; 4],
+}
+
+impl<T: Scalar> Found<T> {
+    fn new() -> Self {
+        let none = [T::zero(); 4];
+        Self { turned: none, pulled: none, of_found: none, of_rate: none }
+    }
+
+    /// Of a body at z₀ with the rate ω₀, of i z₁ and of what α does to Y.
+    #[inline(always)]
+    fn of(axes: Vector2<T>, spin: T, turned: Vector2<T>, moment: Vector2<T>) -> Self {
+        let zero = T::zero();
+        Self {
+            turned: [-axes.x, -axes.y, zero, zero],
+            pulled: [zero, zero, moment.x, moment.y],
+            of_found: [spin, spin, turned.x, turned.y],
+            of_rate: [turned.x, turned.y, zero, zero],
+        }
+    }
+
+    /// The four numbers of an angular acceleration, and the newest products.
+    #[cfg_attr(optimised, inline(always))]
+    fn by(&self, angular: T, known: [T; 4], order: &Order<T::Real>) -> [[T; 4]; 2] {
+        let by_angular: [T; 4] = from_fn(|i| self.pulled[i].add_scaled(order.twice, self.turned[i]));
+        let found: [T; 4] = from_fn(|i| by_angular[i].mul_add(angular, known[i]));
+        let of_rate: [T; 4] = from_fn(|i| self.of_rate[i].scale(order.once) * angular);
+        [found, from_fn(|i| self.of_found[i].mul_add(found[i], of_rate[i]))]
+    }
 }
 
 /// The number with the parts `by` times `v`.
@@ -63,6 +112,7 @@ impl<T: Scalar, const N: usize> AxesSeries<T, N> {
             moment: zero,
             curl: zero,
             known: zero,
+            found: Found::new(),
             products: Products::new(),
         }
     }
@@ -125,6 +175,8 @@ macro_rules! bodies {
                     (room.inner, room.moment) = (linear, swung);
                     swung
                 };
+                let [[x, y, ..], [spin, ..]] = room.products.start();
+                room.found = Found::of(room.axes, spin, Vector2::new(x, y), room.moment);
                 Articulated { linear, coupling, angular, lever: Some(lever) }
             }
         }
@@ -150,7 +202,7 @@ macro_rules! bodies {
                     room.known = force + outer.force;
                     force
                 };
-                let torque = plus_dot(m + n + outer.torque, room.moment, curl);
+                let torque = room.moment.x.mul_add(curl.x, m) + room.moment.y.mul_add(curl.y, n) + outer.torque;
                 let known = Internal { force, torque };
                 if last { Pushed::Felt(known) } else { Pushed::Levered { known, force: outer.force, lever: room.lever } }
             }
@@ -173,14 +225,12 @@ macro_rules! bodies {
                 } else {
                     (room.inner.apply_onto(linear, known), room.curl)
                 };
+                let still = normal(room.curl);
                 // i z of the next number but one, and with ω of the next what is convolved of this one.
-                let turned = add_scaled(normal(room.curl), -angular, room.axes);
-                let (x, y) = (turned.x.scale(order.twice), turned.y.scale(order.twice));
-                // All lanes by the same operation: they are stored at once, and so can be loaded at once.
-                let (zero, once) = (T::zero(), T::constant(order.once));
-                let (weights, parts) = ([once, once, room.moment.x, room.moment.y], [zero, zero, force.x, force.y]);
-                let turning = core::array::from_fn(|i| weights[i].mul_add(angular, parts[i]));
-                room.products.keep(order.k + 1, [x, y, x, y], turning);
+                let known = [still.x.scale(order.twice), still.y.scale(order.twice), force.x, force.y];
+                let [[x, y, m, n], newest] = room.found.by(angular, known, order);
+                let spin = angular.scale(order.once);
+                room.products.keep_with(order.k + 1, [x, y, x, y], [spin, spin, m, n], newest);
                 Swung::At(Acceleration { linear: inboard.beyond(moved, room.lever), angular })
             }
         }

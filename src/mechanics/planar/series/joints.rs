@@ -18,6 +18,8 @@ pub struct JointSeries<T, const N: usize> {
     pub(super) gain: Vector2<T>,
     /// 1 + gain ⊗ lever of the body that begins outboard, by columns, and its transpose: F where it ends as felt inboard, and a as it moves it.
     pub(super) through: [[Vector2<T>; 2]; 2],
+    /// How the acceleration of the coordinate depends on the force where the body that begins outboard ends.
+    pub(super) gain_of_force: Vector2<T>,
     /// How the acceleration along a line depends on the angular one.
     pub(super) gain_of_turning: T,
     /// The acceleration of the present order if the station stays where it is.
@@ -36,6 +38,7 @@ impl<T: Scalar, const N: usize> JointSeries<T, N> {
             minus_inverse: zero,
             gain,
             through: [[gain; 2]; 2],
+            gain_of_force: gain,
             gain_of_turning: zero,
             free: zero,
             place: zero,
@@ -58,6 +61,7 @@ impl<T: Scalar, const N: usize> JointSeries<T, N> {
             let unit = [Vector2::new(one, zero), Vector2::new(zero, one)];
             let sheared = |v: Vector2<T>, by: Vector2<T>| [add_scaled(unit[0], by.x, v), add_scaled(unit[1], by.y, v)];
             self.through = [sheared(gain, lever), sheared(lever, gain)];
+            self.gain_of_force = lever * self.minus_inverse;
         }
         *columns = C::map(&cuts.columns, |w| w);
         let moved = |w: Internal<T>, _| Internal { force: add_scaled(w.force, w.torque, self.gain), torque: T::zero() };
@@ -74,9 +78,9 @@ impl<T: Scalar, const N: usize> JointSeries<T, N> {
     /// Frees the rotation of the torque that is missed, given that which is known: the force inboard.
     #[cfg_attr(optimised, inline(always))]
     fn release(&mut self, outer: Pushed<T>, missed: impl FnOnce(T) -> T) -> Vector2<T> {
-        if let Pushed::Levered { known, force, lever } = outer {
+        if let Pushed::Levered { known, force, .. } = outer {
             let missed = missed(known.torque);
-            self.free = plus_dot(missed, lever, force) * self.minus_inverse;
+            self.free = plus_dot(missed * self.minus_inverse, self.gain_of_force, force);
             return applied_onto(self.through[0], force, add_scaled(known.force, missed, self.gain));
         }
         let Internal { force, torque } = outer.felt();
@@ -89,11 +93,15 @@ impl<T: Scalar, const N: usize> JointSeries<T, N> {
     #[inline(always)]
     fn swing<C: Closures>(
         &self,
-        linear: Vector2<T>,
+        inboard: Swung<T>,
         columns: &C::Each<Internal<T>>,
         forces: &C::Each<T>,
     ) -> (T, Swung<T>) {
         let free = self.held::<C>(columns, forces);
+        let Acceleration { linear, .. } = inboard.acceleration();
+        if let Swung::Still = inboard {
+            return (free, Swung::At(Acceleration { linear, angular: free }));
+        }
         let angular = plus_dot(free, self.gain, linear);
         (angular, Swung::Turned { at: Acceleration { linear, angular }, free, through: self.through[1] })
     }
@@ -155,7 +163,7 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N
         inboard: Swung<T>,
         (((), room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
     ) -> Swung<T> {
-        let (angular, swung) = room.swing::<C>(inboard.acceleration().linear, columns, forces);
+        let (angular, swung) = room.swing::<C>(inboard, columns, forces);
         *acceleration = angular;
         swung
     }
@@ -239,9 +247,8 @@ impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>
         inboard: Swung<T>,
         (((), room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
     ) -> Swung<T> {
-        let inboard = inboard.acceleration();
-        let (angular, swung) = room.swing::<C>(inboard.linear, columns, forces);
-        *acceleration = angular - inboard.angular;
+        let (angular, swung) = room.swing::<C>(inboard, columns, forces);
+        *acceleration = angular - inboard.acceleration().angular;
         self.rotary.follow(&mut room.strain, order, *acceleration);
         swung
     }

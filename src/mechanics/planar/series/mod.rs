@@ -65,7 +65,9 @@ impl<T: Scalar> Pushed<T> {
 /// The acceleration of a station.
 #[derive(Clone, Copy, Debug)]
 pub enum Swung<T> {
-    /// That is all.
+    /// No acceleration: nothing is multiplied by it.
+    Still,
+    /// Any acceleration.
     At(Acceleration<T>),
     /// Where a body begins, outboard of a joint that turns: its other end need not wait for its angular acceleration.
     Turned {
@@ -83,6 +85,7 @@ impl<T: Scalar> Swung<T> {
     #[inline(always)]
     fn acceleration(self) -> Acceleration<T> {
         match self {
+            Self::Still => Acceleration::zero(),
             Self::At(at) | Self::Turned { at, .. } => at,
         }
     }
@@ -90,6 +93,7 @@ impl<T: Scalar> Swung<T> {
     #[cfg_attr(optimised, inline(always))]
     fn beyond(self, moved: Vector2<T>, lever: Vector2<T>) -> Vector2<T> {
         match self {
+            Self::Still => moved,
             Self::At(Acceleration { linear, angular }) => add_scaled(linear + moved, angular, lever),
             Self::Turned { at, free, through } => applied_onto(through, at.linear, add_scaled(moved, free, lever)),
         }
@@ -153,6 +157,10 @@ impl<T: Scalar> Expandable for Planar<T> {
     #[inline(always)]
     fn accelerated(acceleration: Acceleration<T>) -> Swung<T> {
         Swung::At(acceleration)
+    }
+    #[inline(always)]
+    fn still() -> Swung<T> {
+        Swung::Still
     }
     #[inline(always)]
     fn acceleration(swung: Swung<T>) -> Acceleration<T> {

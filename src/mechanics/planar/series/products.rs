@@ -15,8 +15,9 @@ use crate::scalar::Scalar;
 pub struct Products<T, const N: usize> {
     /// a₀ and b₀.
     first: [[T; 4]; 2],
-    /// a₀ b_k + a_k b₀ of the present order, and then c_k.
+    /// a₀ b_k + a_k b₀ of the present order, and all other products of c_k: these are stored for a compiler to keep four in one register.
     newest: [T; 4],
+    others: [T; 4],
     /// a_j from j = 1 on.
     turned: [[T; 4]; N],
     /// b_j from j = 1 on, behind as many zeros as a group of three products may miss.
@@ -27,7 +28,7 @@ impl<T: Scalar, const N: usize> Products<T, N> {
     /// Of nothing.
     pub(super) fn new() -> Self {
         let none = [T::zero(); 4];
-        Self { first: [none; 2], newest: none, turned: [none; N], turning: [none; N] }
+        Self { first: [none; 2], newest: none, others: none, turned: [none; N], turning: [none; N] }
     }
 
     /// Begins with a₀ and b₀.
@@ -37,11 +38,24 @@ impl<T: Scalar, const N: usize> Products<T, N> {
         self.newest = core::array::from_fn(|i| turned[i] * turning[i]);
     }
 
+    /// a₀ and b₀.
+    #[inline(always)]
+    pub(super) fn start(&self) -> [[T; 4]; 2] {
+        self.first
+    }
+
     /// Goes on with those of a number, from 1 on.
     #[cfg_attr(optimised, inline(always))]
     pub(super) fn keep(&mut self, number: usize, turned: [T; 4], turning: [T; 4]) {
         let [first, last] = self.first;
-        self.newest = core::array::from_fn(|i| turned[i].mul_add(last[i], first[i] * turning[i]));
+        let newest = core::array::from_fn(|i| turned[i].mul_add(last[i], first[i] * turning[i]));
+        self.keep_with(number, turned, turning, newest);
+    }
+
+    /// Goes on with those of a number, of which the newest products are known.
+    #[cfg_attr(optimised, inline(always))]
+    pub(super) fn keep_with(&mut self, number: usize, turned: [T; 4], turning: [T; 4], newest: [T; 4]) {
+        self.newest = newest;
         if let (Some(place), Some(room)) = (self.turning.get_mut(number + 1), self.turned.get_mut(number - 1)) {
             (*room, *place) = (turned, turning);
         }
@@ -61,9 +75,8 @@ impl<T: Scalar, const N: usize> Products<T, N> {
                 *sum = core::array::from_fn(|i| a[j][i].mul_add(b[2 - j][i], sum[i]));
             }
         }
-        // Kept where they are stored at once, four numbers stay in one register.
         let [a, b, c] = sums;
-        self.newest = core::array::from_fn(|i| (a[i] + b[i] + c[i]) + self.newest[i]);
-        self.newest
+        self.others = core::array::from_fn(|i| a[i] + b[i] + c[i]);
+        core::array::from_fn(|i| self.others[i] + self.newest[i])
     }
 }

@@ -12,7 +12,7 @@
 
 use super::products::{columns, row, vector};
 use super::rods::scaled;
-use super::{AxesSeries, parted};
+use super::{AxesSeries, Swung, parted};
 use crate::mechanics::spatial::loads::{Drive, Effort};
 use crate::mechanics::spatial::{Acceleration, Ball, Internal, Spatial};
 use crate::relation::spatial::algebra::{add_scaled, cross_onto, dot, zero};
@@ -135,10 +135,13 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>,
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,
-        inboard: Acceleration<T>,
+        inboard: Swung<T>,
         ((axes, room, rows), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
-    ) -> Acceleration<T> {
-        let mut angular = room.gain.angular(inboard.linear, &());
+    ) -> Swung<T> {
+        let mut angular = match inboard {
+            Swung::At(Acceleration { linear, .. }) => room.gain.angular(linear, &()),
+            Swung::Still | Swung::Turning(_) => room.gain.free,
+        };
         C::zip(rows, forces, |w, by| angular = add_scaled(angular, by, w.torque));
         let turned = angular + vector(axes.curls[0]);
         *acceleration = columns(&axes.axes).transposed(turned).into();
@@ -148,6 +151,6 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>,
             let [x, y, z]: [T; 3] = scaled(turned, order.twice).into();
             attitude[0] = [axes.curls[0][3].scale(order.twice), x, y, z];
         }
-        Acceleration { angular, ..inboard }
+        inboard.turning(angular)
     }
 }

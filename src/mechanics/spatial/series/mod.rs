@@ -72,6 +72,51 @@ pub struct JointSeries<T: Copy, const N: usize> {
     strain: Strain<T, N>,
 }
 
+/// The acceleration of a station.
+#[derive(Clone, Copy, Debug)]
+pub enum Swung<T> {
+    /// No acceleration: nothing is multiplied by it.
+    Still,
+    /// An angular acceleration alone.
+    Turning(Vector3<T>),
+    /// Any acceleration.
+    At(Acceleration<T>),
+}
+
+impl<T: Scalar> Swung<T> {
+    /// The acceleration.
+    #[inline(always)]
+    fn acceleration(self) -> Acceleration<T> {
+        match self {
+            Self::Still => Acceleration::zero(),
+            Self::Turning(angular) => Acceleration { angular, ..Acceleration::zero() },
+            Self::At(at) => at,
+        }
+    }
+    /// The acceleration of a station in the same place that turns otherwise.
+    #[inline(always)]
+    fn turning(self, angular: Vector3<T>) -> Self {
+        match self {
+            Self::Still | Self::Turning(_) => Self::Turning(angular),
+            Self::At(at) => Self::At(Acceleration { angular, ..at }),
+        }
+    }
+}
+
+impl<T: Scalar, const N: usize> AxesSeries<T, N> {
+    /// The force that is convolved, of the acceleration of the inboard end and of what is known of it.
+    #[cfg_attr(optimised, inline(always))]
+    fn pulled(&self, inboard: Swung<T>, known: Vector3<T>) -> Vector3<T> {
+        match inboard {
+            Swung::Still => known,
+            Swung::Turning(angular) => self.coupling.apply_onto(angular, known),
+            Swung::At(Acceleration { linear, angular }) => {
+                self.coupling.apply_onto(angular, self.linear.apply_onto(linear, known))
+            }
+        }
+    }
+}
+
 impl<T: Scalar> Expandable for Spatial<T> {
     /// Without what velocities and forces contribute.
     type Articulated = Full<T>;
@@ -80,7 +125,7 @@ impl<T: Scalar> Expandable for Spatial<T> {
     /// The angular velocity (rad/s), inertial axes.
     type Begun = Vector3<T>;
     type Pushed = Internal<T>;
-    type Swung = Acceleration<T>;
+    type Swung = Swung<T>;
 
     #[inline(always)]
     fn nothing() -> Full<T> {
@@ -117,12 +162,16 @@ impl<T: Scalar> Expandable for Spatial<T> {
         pushed
     }
     #[inline(always)]
-    fn accelerated(acceleration: Acceleration<T>) -> Acceleration<T> {
-        acceleration
+    fn accelerated(acceleration: Acceleration<T>) -> Swung<T> {
+        Swung::At(acceleration)
     }
     #[inline(always)]
-    fn acceleration(swung: Acceleration<T>) -> Acceleration<T> {
-        swung
+    fn still() -> Swung<T> {
+        Swung::Still
+    }
+    #[inline(always)]
+    fn acceleration(swung: Swung<T>) -> Acceleration<T> {
+        swung.acceleration()
     }
     fn untouched<const N: usize>() -> (AxesSeries<T, N>, JointSeries<T, N>) {
         let (none, matrix, symmetric) = ([products::none(); N], Columns::null(), Symmetric3::null());

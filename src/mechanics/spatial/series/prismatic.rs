@@ -12,7 +12,7 @@
 use super::ball::Applied;
 use super::products::{row, vector};
 use super::rods::scaled;
-use super::{AxesSeries, parted, pulled};
+use super::{AxesSeries, Swung, parted, pulled};
 use crate::mechanics::spatial::axial::Axial;
 use crate::mechanics::spatial::{Acceleration, Internal, Prismatic, Spatial};
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero};
@@ -117,9 +117,10 @@ impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,
-        inboard: Acceleration<T>,
+        inboard: Swung<T>,
         ((axes, room, columns), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
-    ) -> Acceleration<T> {
+    ) -> Swung<T> {
+        let inboard = inboard.acceleration();
         let ([axis, arm, _], angular) = (axes.axes.map(vector), inboard.angular);
         let carried = cross_onto(angular, arm, inboard.linear + room.bias);
         *acceleration = room.pivot.acceleration(carried, angular, &());
@@ -132,6 +133,6 @@ impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T
         let beside = [force, scaled(angular, order.once)];
         axes.keep_slide(order.k + 1, [turned, moved], beside, acceleration.scale(order.twice));
         self.law().follow(&mut room.strain, order, *acceleration);
-        Acceleration { linear, angular }
+        Swung::At(Acceleration { linear, angular })
     }
 }

@@ -10,7 +10,7 @@
 use super::ball::Applied;
 use super::products::{Rows, row, vector};
 use super::rods::scaled;
-use super::{AxesSeries, parted};
+use super::{AxesSeries, Swung, parted};
 use crate::mechanics::spatial::{Acceleration, Internal, Revolute, Spatial};
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero};
 use crate::relation::spatial::{Full, Pivot};
@@ -110,9 +110,10 @@ impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T
     fn take(
         &self,
         Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,
-        Acceleration { linear, angular }: Acceleration<T>,
+        inboard: Swung<T>,
         ((axes, room, columns), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
-    ) -> Acceleration<T> {
+    ) -> Swung<T> {
+        let Acceleration { linear, angular } = inboard.acceleration();
         let (axis, carried) = (vector(axes.axes[0]), angular + room.bias);
         *acceleration = room.pivot.acceleration(linear, carried, &());
         let mut torque = axes.coupling.transposed_onto(linear, axes.angular.apply_onto(angular, room.torque));
@@ -124,6 +125,6 @@ impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T
         let (spin, rate) = (scaled(angular, order.once), acceleration.scale(order.once));
         axes.keep_axis(order.k + 1, turned, beside(torque, spin, rate));
         self.law.follow(&mut room.strain, order, *acceleration);
-        Acceleration { linear, angular: add_scaled(carried, *acceleration, axis) }
+        inboard.turning(add_scaled(carried, *acceleration, axis))
     }
 }

@@ -11,7 +11,7 @@
 
 use super::products::{Rows, curl, none, row, scaled as scaled_rows, swing};
 use super::rods::scaled;
-use super::{AxesSeries, parted, pulled};
+use super::{AxesSeries, Swung, parted, pulled};
 use crate::mechanics::spatial::{Acceleration, Internal, RigidBody, Spatial};
 use crate::relation::spatial::Full;
 use crate::relation::spatial::algebra::{Columns, Symmetric3, cross, cross_onto, dot, zero};
@@ -124,13 +124,13 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>,
     fn take(
         &self,
         Swing { order, forces: by }: &mut Swing<Spatial<T>, N, C>,
-        Acceleration { linear, angular }: Acceleration<T>,
+        inboard: Swung<T>,
         ((room, (), columns), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
-    ) -> Acceleration<T> {
-        let known = pulled::<T, C>(room.force, columns, by);
-        let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, known));
+    ) -> Swung<T> {
+        let Acceleration { linear, angular } = inboard.acceleration();
+        let force = room.pulled(inboard, pulled::<T, C>(room.force, columns, by));
         let [turned, forces] = swing((&room.axes, &room.moments, &room.curls), angular, (&room.shares, force, linear));
         room.keep_axes(order.k + 1, scaled_rows(&turned, order.twice), &forces, scaled(angular, order.once));
-        Acceleration { linear: linear + combined(&turned, self.outboard()), angular }
+        Swung::At(Acceleration { linear: linear + combined(&turned, self.outboard()), angular })
     }
 }

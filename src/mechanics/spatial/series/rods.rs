@@ -10,7 +10,7 @@
 //! for the angular momentum of the body is J∥ ω − e d × ḋ. So all of it that is not linear is one cross product, whatever it does.
 
 use super::products::{across, crossed, row, vector};
-use super::{AxesSeries, parted, pulled};
+use super::{AxesSeries, Swung, parted, pulled};
 use crate::mechanics::spatial::body::{Body, Pose};
 use crate::mechanics::spatial::{Acceleration, Internal, PointMass, Rod, Spatial};
 use crate::relation::spatial::Full;
@@ -109,15 +109,15 @@ macro_rules! rods {
             fn take(
                 &self,
                 walk: &mut Swing<Spatial<T>, N, C>,
-                Acceleration { linear, angular }: Acceleration<T>,
+                inboard: Swung<T>,
                 ((room, (), columns), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
-            ) -> Acceleration<T> {
+            ) -> Swung<T> {
                 let Swing { order, forces } = walk;
+                let Acceleration { linear, angular } = inboard.acceleration();
                 let turned = cross_onto(angular, vector(room.axes[0]), vector(room.curls[0]));
-                let known = pulled::<T, C>(room.force, columns, forces);
-                let force = room.coupling.apply_onto(angular, room.linear.apply_onto(linear, known));
+                let force = room.pulled(inboard, pulled::<T, C>(room.force, columns, forces));
                 room.keep(order.k + 1, scaled(turned, order.twice), force, scaled(angular, order.once));
-                Acceleration { linear: linear + turned, angular }
+                Swung::At(Acceleration { linear: linear + turned, angular })
             }
         }
     )*};

@@ -1,6 +1,7 @@
 //! Taylor series in space: what a weld does. It hands on what it is given, in inertial axes.
 
-use crate::mechanics::spatial::{Acceleration, Internal, Spatial, Weld};
+use super::Swung;
+use crate::mechanics::spatial::{Internal, Spatial, Weld};
 use crate::relation::spatial::Full;
 use crate::relation::{Closures, Part};
 use crate::scalar::Scalar;
@@ -28,5 +29,5 @@ macro_rules! welded {
 welded!(
     [] Articulate<Spatial<T>, N, C>: Full<T>,
     [Q] Push<Spatial<T>, Q, N, C>: Internal<T>,
-    [] Swing<Spatial<T>, N, C>: Acceleration<T>
+    [] Swing<Spatial<T>, N, C>: Swung<T>
 );
