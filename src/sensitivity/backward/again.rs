@@ -49,6 +49,38 @@ impl<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> Again<S, E, X, Y> {
     }
 }
 
+/// Room that steps hand to their own methods and take back: where there is a heap, it stands there, and a pointer is what moves.
+#[cfg(feature = "alloc")]
+pub(super) type Apart<X> = alloc::boxed::Box<X>;
+#[cfg(not(feature = "alloc"))]
+pub(super) use own::Apart;
+
+/// Without a heap.
+#[cfg(not(feature = "alloc"))]
+mod own {
+    use core::ops::{Deref, DerefMut};
+
+    /// Room that moves as it is.
+    pub struct Apart<X>(X);
+
+    impl<X> Apart<X> {
+        pub fn new(room: X) -> Self {
+            Self(room)
+        }
+    }
+    impl<X> Deref for Apart<X> {
+        type Target = X;
+        fn deref(&self) -> &X {
+            &self.0
+        }
+    }
+    impl<X> DerefMut for Apart<X> {
+        fn deref_mut(&mut self) -> &mut X {
+            &mut self.0
+        }
+    }
+}
+
 /// The room of a scene.
 pub(super) type AgainOf<S, R, C, P, L> = Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures, <L as BodyLaw<S>>::Ties>;
 

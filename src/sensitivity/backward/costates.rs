@@ -60,7 +60,7 @@ where
             let stage = &record.stages.as_ref()[last - 1];
             let place = if last == 1 { &past.position } else { &stage.position };
             // Laws that stay where a stage is free were read there.
-            let mut again = Self::STAYS.then(|| self.again(stage));
+            let mut again = if Self::STAYS { self.again.take() } else { None };
             if let Some(again) = &mut again {
                 self.remember(past, step, record.accelerations.as_ref(), &mut again.free);
             }

@@ -26,7 +26,7 @@
 //! put back by the one before it ([`projection`](super::projection)). Sweeps before the last of a stage are made once more on the way back.
 
 use super::GradientOf;
-use super::again::{Again, AgainOf, follow, paired, unfollow};
+use super::again::{Again, follow, paired, unfollow};
 use super::projection::Projection;
 use super::record::{Place, RecordOf, StageOf};
 use super::rules::Staged;
@@ -38,7 +38,7 @@ use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::Additive;
 use crate::scalar::Real;
-use crate::shape::{Positions, Shape, Takes};
+use crate::shape::{Shape, Takes};
 use crate::system::{Elements, MotionOf, RateOf};
 use crate::walks::strain::Strain;
 
@@ -62,11 +62,6 @@ where
         M::IMPLICIT && (!<Elements<S, R, C> as Shape<S>>::LINEAR || <Elements<S, R, C> as Shape<S>>::ROTARY);
     /// Whether these are read where they are free: by a rule that remembers, where all laws are linear.
     pub(super) const STAYS: bool = M::REMEMBERS && <Elements<S, R, C> as Shape<S>>::LINEAR;
-
-    /// Room, made once.
-    pub(super) fn again(&mut self, stage: &StageOf<S, R, C, P, L>) -> AgainOf<S, R, C, P, L> {
-        self.again.take().unwrap_or_else(|| Again::new(self.scene.elements().store::<Positions>(()), &self.zero, stage))
-    }
 
     /// Sweeps of a stage up to one of them, which stands in `stage` and `slope`.
     #[allow(clippy::type_complexity)] // two in one argument
@@ -137,7 +132,8 @@ where
         step: RealOf<S>,
         record: &mut RecordOf<S, R, C, P, M, L>,
     ) {
-        let mut again = self.again(&record.stages.as_ref()[row]);
+        let Some(mut room) = self.again.take() else { return };
+        let again = &mut *room;
         let (slopes, rest) = record.accelerations.as_mut().split_at_mut(row);
         let [slope, ..] = rest else { return };
         let sweeps = self.rule.sweeps(row);
@@ -152,13 +148,13 @@ where
             past,
             step,
             (slopes, stages),
-            (&mut again.free, &mut again.led, between.as_mut()),
+            (&mut again.free, &mut again.led, between.as_deref_mut()),
             (stage, slope),
         );
         if const { Self::RESTORED } {
             self.between = between;
         }
-        self.again = Some(again);
+        self.again = Some(room);
     }
 
     /// From the costates of the accelerations of a stage to those of the positions and rates where it would be without.
@@ -174,7 +170,8 @@ where
         let ([in_position, in_rate], one) = (own, RealOf::<S>::of(1.0));
         let by_own = |of: (&_, &_), slope: &_| paired::<S, Elements<S, R, C>>(by_size, of, slope);
         let time = past.time + RealOf::<S>::of(M::node(row)) * step;
-        let mut again = self.again(&record.stages.as_ref()[row]);
+        let Some(mut taken) = self.again.take() else { return };
+        let again = &mut *taken;
         if row + 1 < M::STAGES {
             self.of_acceleration.add(&again.of_before);
         }
@@ -191,19 +188,19 @@ where
             between = self.between.take();
         }
         for sweep in (1..=last).rev() {
-            let Again { free, read, stage, slope, of_free, of_geometry, led, of_read, of_led, .. } = &mut again;
+            let Again { free, read, stage, slope, of_free, of_geometry, led, of_read, of_led, .. } = &mut *again;
             // The last sweep is known, but not where it was free, nor what led there.
             let known = sweep == last && !Self::FOLLOWS;
             let sweeps = if known { 0 } else { sweep };
             let kept = (record.accelerations.as_ref(), record.stages.as_ref());
-            let room = (&mut *free, &mut *led, between.as_mut());
+            let room = (&mut *free, &mut *led, between.as_deref_mut());
             self.sweeps((row, sweeps), past, step, kept, room, (&mut *stage, &mut *slope));
             let kept = (&record.stages.as_ref()[row], &record.accelerations.as_ref()[row]);
             let (stage, slope) = if sweep == last { kept } else { (&*stage, &*slope) };
             if sweep < last {
                 // The geometry of the sweep after this one.
                 if let Some(between) = &mut between {
-                    let Projection { places: [place, ..], rates: [rate, ..], .. } = &mut *between;
+                    let Projection { places: [place, ..], rates: [rate, ..], .. } = &mut **between;
                     self.lead((past, step), row, free, slope, (place, rate));
                     self.project(time, stage, between);
                     self.exchange(row, gradient);
@@ -309,6 +306,6 @@ where
         }
         self.of_position.as_mut()[row].set(&again.of_free.0);
         self.of_rate.as_mut()[row].set(&again.of_free.1);
-        self.again = Some(again);
+        self.again = Some(taken);
     }
 }

@@ -117,11 +117,11 @@ where
         slopes: &M::Rows<RateOf<S, R, C>>,
         into: (&mut PositionOf<S, R, C>, &mut RateOf<S, R, C>),
     ) {
-        let (slopes, Some(mut again)) = (slopes.as_ref(), self.again.take()) else { return };
+        let (slopes, Some(mut room)) = (slopes.as_ref(), self.again.take()) else { return };
         let ([_, found, ..], [own, _]) = (slopes, self.rule.own::<S::Scalar>(step)) else { return };
-        self.remember(past, step, slopes, &mut again.free);
-        follow::<S, Elements<S, R, C>>((&again.free.0, &again.free.1), own, found, &self.zero, into);
-        self.again = Some(again);
+        self.remember(past, step, slopes, &mut room.free);
+        follow::<S, Elements<S, R, C>>((&room.free.0, &room.free.1), own, found, &self.zero, into);
+        self.again = Some(room);
     }
 
     /// The motion at the end of a step whose stages have been evaluated.
@@ -180,7 +180,8 @@ where
         let ([own, by_size], weights) = (self.rule.own::<S::Scalar>(step), Weights::of(&self.rule, step));
         let Weights { change, last, .. } = weights;
         let one = RealOf::<S>::of(1.0);
-        let mut again = self.again(&record.stages.as_ref()[1]);
+        let Some(mut room) = self.again.take() else { return };
+        let again = &mut *room;
         // Of where the step would be without a₁, for now.
         gradient.start.position.set(&self.zero);
         {
@@ -197,9 +198,9 @@ where
             let (q, v, memory) = ((own[0], of_position), (own[1], of_rate), (change, &self.of_memory));
             self.of_acceleration.mix_3(&self.zero, q, v, memory);
         }
-        self.again = Some(again);
+        self.again = Some(room);
         self.pull_back_solution(1, past, step, record, gradient);
-        let Some(again) = &mut self.again else { return };
+        let Some(again) = self.again.as_deref_mut() else { return };
         let ([.., of_free, _], [.., by_free, by_end]) = (self.of_position.as_mut(), self.of_rate.as_mut()) else {
             return;
         };

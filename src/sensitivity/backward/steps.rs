@@ -1,6 +1,6 @@
 //! Steps of a run with all that their stages keep for costates.
 
-use super::again::AgainOf;
+use super::again::{Again, AgainOf, Apart};
 use super::held::{Room, unturned};
 use super::loads::Seen;
 use super::projection::Projection;
@@ -30,6 +30,10 @@ use num_traits::Zero;
 /// Most rows that an explicit method has.
 pub(super) const ROWS: usize = 16;
 
+/// What puts the geometry of a sweep of a scene back, apart.
+type ProjectionOf<S, R, C> = Apart<Projection<S, Elements<S, R, C>>>;
+/// Room for sweeps of a scene, apart.
+type SweepsOf<S, R, C, P, L> = Apart<AgainOf<S, R, C, P, L>>;
 /// A torque, or its costate, for each joint.
 pub(super) type TorquesOf<S, R, C> = <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>;
 
@@ -60,9 +64,9 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     /// The costate of what the rule remembers.
     pub(super) of_memory: <Elements<S, R, C> as Element<S>>::Rate,
     /// What puts the geometry of a sweep back where something is held or closed, if a rule does.
-    pub(super) between: Option<Projection<S, Elements<S, R, C>>>,
+    pub(super) between: Option<ProjectionOf<S, R, C>>,
     /// Room for the sweeps of a stage of an implicit rule.
-    pub(super) again: Option<AgainOf<S, R, C, P, L>>,
+    pub(super) again: Option<SweepsOf<S, R, C, P, L>>,
     /// Room for couplings of joints, if there are any.
     pub(super) tying: Option<Tying<S, R, C>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
@@ -115,7 +119,7 @@ where
         nodes.iter_mut().enumerate().take(M::STAGES + 1).for_each(|(row, node)| *node = M::node(row));
         let (on_body, in_joint, at_ends) = S::untouched();
         let no_torque = EffortOf::<S>::null();
-        Self {
+        let mut steps = Self {
             loads: Seen::new(elements, law, scene.ground(RealOf::<S>::zero())),
             scene,
             rule,
@@ -129,7 +133,7 @@ where
             end: (elements.store::<Positions>(()), zero.clone()),
             of_own: None,
             of_memory: zero.clone(),
-            between: Self::RESTORED.then(|| Projection::new(elements, &zero)),
+            between: Self::RESTORED.then(|| Apart::new(Projection::new(elements, &zero))),
             again: None,
             tying: Self::TIED.then(|| (elements.store::<PerJoint<_>>(no_torque), zero.clone())),
             sum: zero.clone(),
@@ -143,7 +147,16 @@ where
             weights,
             nodes,
             room: (Self::CLOSED > 0).then(|| Room::new(elements)),
+        };
+        if M::IMPLICIT {
+            steps.again = steps
+                .record()
+                .stages
+                .as_ref()
+                .first()
+                .map(|stage| Apart::new(Again::new(elements.store::<Positions>(()), &steps.zero, stage)));
         }
+        steps
     }
 
     /// Room for a step.

@@ -158,3 +158,31 @@ fn tapes_of_an_implicit_rule_allocate_nothing() -> Result<(), Error> {
     assert_eq!((run, taped, on_tape), (0, 0, gradient));
     Ok(())
 }
+
+/// Rooms for the sweeps of a stage are made with the way back, whatever the rule.
+#[test]
+fn gradients_by_implicit_rules_allocate_nothing() -> Result<(), Error> {
+    let (rod, hinge) = (Rod::uniform(0.5, 1.0), ElasticHinge::rotary(50.0).damped(0.1));
+    let system = System::new(Pinned::origin(), (rod, [(hinge, rod); 3]), Free)?.with_gravity(9.81);
+    let start = system.at_rest(&[-1.0, -0.9, -0.8, -0.7])?;
+    let torques = [0.1; 40];
+    macro_rules! count {
+        ($rule:expr) => {{
+            let (mut states, mut by_torques) = ([start; 11], [0.0; 40]);
+            let mut backward = system.backward($rule);
+            let (count, outcome) = allocations(|| {
+                backward.run(&start, 0.01, 10, &torques, &mut states)?;
+                let end = |step: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| match step {
+                    10 => by.add(&[1.0; 4], &[0.0; 4]),
+                    _ => Ok(()),
+                };
+                Ok::<_, Error>(backward.gradient(&torques, &states, &mut by_torques, end)?.by_gravity().y)
+            });
+            assert!(count == 0 && outcome? != 0.0, "{count} allocations");
+            assert!(by_torques.iter().all(|x| *x != 0.0));
+        }};
+    }
+    count!(Sdirk4::new());
+    count!(GeneralizedAlpha::new(0.8));
+    Ok(())
+}
