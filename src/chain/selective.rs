@@ -13,6 +13,9 @@ macro_rules! takes_tuple {
     (X3; $($rest:tt)*) => {
         takes_of!([inline(always)] $($rest)*); // two bodies and the joint between them
     };
+    (X4; $($rest:tt)*) => {
+        takes_of!([inline(always)] $($rest)*); // an arm of a loop of four bodies
+    };
     ($met:ident; $($rest:tt)*) => {
         takes_of!([inline] $($rest)*);
     };
