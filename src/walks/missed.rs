@@ -12,7 +12,7 @@ use crate::space::{FrameOf, Space};
 pub type Turns<S> = PerLoop<[<S as Space>::Turn; 2]>;
 
 /// Walks outward with complete kinematics and keeps by what the ends of each loop miss each other, with the opposite sign, and how they are
-/// turned; gives the frame of the tip.
+/// turned.
 pub fn missed<S: Space, E: Shape<S>>(
     chain: &E,
     frame: FrameOf<S>,
@@ -20,9 +20,9 @@ pub fn missed<S: Space, E: Shape<S>>(
     level: Level,
     gaps: &mut E::Store<PerClosure>,
     turns: &mut E::Store<Turns<S>>,
-) -> FrameOf<S> {
+) {
     let Coordinates { position, rate, acceleration } = motion;
-    chain.outward(&mut Missed(level), frame, (position, rate, acceleration, gaps, turns))
+    chain.outward(&mut Missed(level), frame, (position, rate, acceleration, gaps, turns));
 }
 
 /// Looks at the ends of loops.

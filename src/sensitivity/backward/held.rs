@@ -28,12 +28,14 @@ use crate::walks::stir::Stir;
 
 /// Room for walks that close what is to be closed.
 pub(super) struct Room<S: Reversed, E: Element<S>> {
-    /// A posture besides those of stages.
+    /// The posture of the stage at rest.
     pub(super) sizes: E::Store<PerAxes<S::Size>>,
     pub(super) x: E::Store<PerAxes<S::X>>,
     pub(super) y: E::Store<PerAxes<S::Y>>,
     pub(super) p: E::Store<PerAxes<S::P>>,
     pub(super) q: E::Store<PerAxes<S::Q>>,
+    /// That before a correction.
+    pub(super) before: Posed<S, E>,
     zero: E::Rate,
     /// Positions at which the stage stands at rest.
     pub(super) still: E::Position,
@@ -66,6 +68,26 @@ pub(super) struct Room<S: Reversed, E: Element<S>> {
     pub(super) forces: E::Store<PerClosure>,
     pub(super) of_forces: E::Store<PerClosure>,
     pub(super) weights: E::Store<PerClosure>,
+}
+
+/// A posture besides those of stages.
+pub(super) struct Posed<S: Reversed, E: Element<S>> {
+    pub(super) x: E::Store<PerAxes<S::X>>,
+    pub(super) y: E::Store<PerAxes<S::Y>>,
+    pub(super) p: E::Store<PerAxes<S::P>>,
+    pub(super) q: E::Store<PerAxes<S::Q>>,
+}
+
+impl<S: Reversed, E: Element<S>> Posed<S, E> {
+    fn new(elements: &E) -> Self {
+        let (x, y, p, q) = S::blank();
+        Self {
+            x: elements.store::<PerAxes<_>>(x),
+            y: elements.store::<PerAxes<_>>(y),
+            p: elements.store::<PerAxes<_>>(p),
+            q: elements.store::<PerAxes<_>>(q),
+        }
+    }
 }
 
 /// What the costate sweep begins with at a tip weighed by ν and −λ, and what these do to gravity and to the numbers of the tip.
@@ -110,14 +132,16 @@ pub(super) fn unturned<S: Reversed, E: Element<S>>(elements: &E) -> E::Store<Tur
 
 impl<S: Reversed, E: Element<S>> Room<S, E> {
     pub(super) fn new(elements: &E) -> Self {
-        let ((x, y, p, q), (on_body, in_joint, at_ends)) = (S::blank(), S::untouched());
+        let (on_body, in_joint, at_ends) = S::untouched();
+        let Posed { x, y, p, q } = Posed::new(elements);
         let (zero, nothing) = (elements.store::<Rates>(()), elements.store::<PerClosure>(()));
         Self {
             sizes: sizes(elements),
-            x: elements.store::<PerAxes<_>>(x),
-            y: elements.store::<PerAxes<_>>(y),
-            p: elements.store::<PerAxes<_>>(p),
-            q: elements.store::<PerAxes<_>>(q),
+            x,
+            y,
+            p,
+            q,
+            before: Posed::new(elements),
             costates: zero.clone(),
             solved: zero.clone(),
             correction: zero.clone(),

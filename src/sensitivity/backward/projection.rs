@@ -14,7 +14,7 @@
 //! the size of the step, −w · W x has derivatives, too.
 
 use super::GradientOf;
-use super::held::{Room, add, opposite};
+use super::held::{Posed, Room, add, opposite};
 use super::metric::metric;
 use super::record::{Place, Record, RecordOf, StageOf};
 use super::rules::Staged;
@@ -165,6 +165,11 @@ where
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let Some(room) = &mut self.room else { return };
+        // All corrections are by the stage as it stands at rest.
+        let Room { sizes, x, y, p, q, still, .. } = &mut *room;
+        still.clone_from(stage.1);
+        still.stop_clocks();
+        S::pose(self.scene.elements(), still, &self.zero, self.scene.ground(clock.0).turn, sizes, x, y, p, q);
         room.of_stage.set(&self.zero);
         room.of_speed.set(&self.zero);
         if Self::STAYS {
@@ -206,7 +211,12 @@ where
         let zero = &self.zero;
         // What is missed, and costates of the correction that takes it away.
         let at = Coordinates { position: place, rate, acceleration: zero };
-        let frame = missed(elements, ground, at, level, &mut room.missed, &mut room.turns);
+        let Room { sizes, before: Posed { x, y, p, q }, .. } = &mut *room;
+        S::pose(elements, place, rate, ground.turn, sizes, x, y, p, q);
+        let frame = self.loads.see(elements, ground, Posture { x, y, p, q }, at, time);
+        if Self::LOOPED {
+            missed(elements, ground, at, level, &mut room.missed, &mut room.turns);
+        }
         let [of_place, of_rate] = tip.residual(time, &frame);
         let residual = if let Level::Place = level { of_place } else { of_rate };
         room.costates.replace(&mut |x| -x);
@@ -214,10 +224,6 @@ where
         room.weights.clone_from(&room.nothing);
         let none: EachOf<S, P> = P::Closures::each(|_| S::Scalar::zero());
         let mut weights = none;
-        let Room { sizes, x, y, p, q, still, .. } = room;
-        still.clone_from(position);
-        still.stop_clocks();
-        S::pose(elements, still, zero, ground.turn, sizes, x, y, p, q);
         let (columns, of) = (tip.columns(), total::<S, P::Closures>);
         // The tip, and loop by loop.
         for closure in usize::from(!Self::HELD)..=room.loops {
@@ -283,9 +289,7 @@ where
             }
         }
         // What is missed.
-        let Room { sizes, x, y, p, q, solved, on_bodies, in_joints, .. } = room;
-        S::pose(elements, place, rate, ground.turn, sizes, x, y, p, q);
-        let frame = self.loads.see(elements, ground, Posture { x, y, p, q }, at, time);
+        let Room { before: Posed { x, y, p, q }, solved, on_bodies, in_joints, .. } = room;
         solved.set(zero);
         room.forces.clone_from(&room.nothing);
         let kept = (&mut *on_bodies, &mut *in_joints, (&mut room.forces, &mut room.at_ends));
