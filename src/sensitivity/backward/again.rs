@@ -1,5 +1,6 @@
 //! Room for the sweeps of a stage of an implicit rule, and where their accelerations lead.
 
+use super::apart::Apart;
 use super::record::Stage;
 use crate::adjoint::{BodyLaw, Reversed, Ties};
 use crate::element::{Element, RealOf};
@@ -7,6 +8,7 @@ use crate::ends::Tip;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
+use crate::shape::Positions;
 use crate::system::Elements;
 use num_traits::Zero;
 
@@ -31,13 +33,12 @@ pub(super) struct Again<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> {
 }
 
 impl<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> Again<S, E, X, Y> {
-    /// Room, from that of a stage.
-    pub(super) fn new(place: E::Position, zero: &E::Rate, stage: &Stage<S, E, X, Y>) -> Self {
-        let motion = (place, zero.clone());
+    pub(super) fn new(elements: &E, zero: &E::Rate) -> Self {
+        let motion = (elements.store::<Positions>(()), zero.clone());
         Self {
             free: motion.clone(),
             read: motion,
-            stage: stage.clone(),
+            stage: Stage::new(elements, zero),
             slope: zero.clone(),
             of_free: (zero.clone(), zero.clone()),
             of_before: zero.clone(),
@@ -49,40 +50,9 @@ impl<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> Again<S, E, X, Y> {
     }
 }
 
-/// Room that steps hand to their own methods and take back: where there is a heap, it stands there, and a pointer is what moves.
-#[cfg(feature = "alloc")]
-pub(super) type Apart<X> = alloc::boxed::Box<X>;
-#[cfg(not(feature = "alloc"))]
-pub(super) use own::Apart;
-
-/// Without a heap.
-#[cfg(not(feature = "alloc"))]
-mod own {
-    use core::ops::{Deref, DerefMut};
-
-    /// Room that moves as it is.
-    pub struct Apart<X>(X);
-
-    impl<X> Apart<X> {
-        pub fn new(room: X) -> Self {
-            Self(room)
-        }
-    }
-    impl<X> Deref for Apart<X> {
-        type Target = X;
-        fn deref(&self) -> &X {
-            &self.0
-        }
-    }
-    impl<X> DerefMut for Apart<X> {
-        fn deref_mut(&mut self) -> &mut X {
-            &mut self.0
-        }
-    }
-}
-
 /// The room of a scene.
-pub(super) type AgainOf<S, R, C, P, L> = Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures, <L as BodyLaw<S>>::Ties>;
+pub(super) type AgainOf<S, R, C, P, L> =
+    Apart<Again<S, Elements<S, R, C>, <P as Tip<S>>::Closures, <L as BodyLaw<S>>::Ties>>;
 
 /// Where accelerations lead.
 pub(super) fn follow<S: Reversed, E: Element<S>>(

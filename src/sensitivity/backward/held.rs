@@ -28,13 +28,9 @@ use crate::walks::stir::Stir;
 
 /// Room for walks that close what is to be closed.
 pub(super) struct Room<S: Reversed, E: Element<S>> {
-    /// The posture of the stage at rest.
+    /// What postures read of bodies; that of the stage at rest, and that before a correction.
     pub(super) sizes: E::Store<PerAxes<S::Size>>,
-    pub(super) x: E::Store<PerAxes<S::X>>,
-    pub(super) y: E::Store<PerAxes<S::Y>>,
-    pub(super) p: E::Store<PerAxes<S::P>>,
-    pub(super) q: E::Store<PerAxes<S::Q>>,
-    /// That before a correction.
+    pub(super) rest: Posed<S, E>,
     pub(super) before: Posed<S, E>,
     zero: E::Rate,
     /// Positions at which the stage stands at rest.
@@ -133,14 +129,10 @@ pub(super) fn unturned<S: Reversed, E: Element<S>>(elements: &E) -> E::Store<Tur
 impl<S: Reversed, E: Element<S>> Room<S, E> {
     pub(super) fn new(elements: &E) -> Self {
         let (on_body, in_joint, at_ends) = S::untouched();
-        let Posed { x, y, p, q } = Posed::new(elements);
         let (zero, nothing) = (elements.store::<Rates>(()), elements.store::<PerClosure>(()));
         Self {
             sizes: sizes(elements),
-            x,
-            y,
-            p,
-            q,
+            rest: Posed::new(elements),
             before: Posed::new(elements),
             costates: zero.clone(),
             solved: zero.clone(),
@@ -199,11 +191,21 @@ impl<S: Reversed, E: Element<S>> Room<S, E> {
         E: Takes<S, Stir<S::Scalar, P::Closures>>,
     {
         let kept = &stage.kept;
-        let Self { x, y, p, q, zero, still, solved, correction, on_bodies, in_joints, at_ends, efforts, .. } = self;
+        let Self {
+            rest: Posed { x, y, p, q },
+            zero,
+            still,
+            solved,
+            correction,
+            on_bodies,
+            in_joints,
+            at_ends,
+            efforts,
+            ..
+        } = self;
         let in_loops = if of_costates { &mut self.of_forces } else { &mut self.forces };
-        let (posture, motion) = ((&*x, &*y, &*p, &*q), (&*still, &*zero, &*correction, &mut *solved));
-        let (x, y, p, q) = posture;
-        let stores = (x, y, p, q, kept, motion, (on_bodies, in_joints, (in_loops, at_ends)), efforts);
+        let motion = (&*still, &*zero, &*correction, &mut *solved);
+        let stores = (&*x, &*y, &*p, &*q, kept, motion, (on_bodies, in_joints, (in_loops, at_ends)), efforts);
         S::stirred(&elements.take(&mut Stir { forces }, S::at_ground(ground), stores))
     }
 }

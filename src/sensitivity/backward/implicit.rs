@@ -132,13 +132,14 @@ where
         step: RealOf<S>,
         record: &mut RecordOf<S, R, C, P, M, L>,
     ) {
-        let Some(mut room) = self.again.take() else { return };
-        let again = &mut *room;
         let (slopes, rest) = record.accelerations.as_mut().split_at_mut(row);
         let [slope, ..] = rest else { return };
         let sweeps = self.rule.sweeps(row);
         let (stages, rest) = record.stages.as_mut().split_at_mut(row);
         let [stage, ..] = rest else { return };
+        // Taken last, for what is taken has to be put back.
+        let Some(mut room) = self.again.take() else { return };
+        let again = &mut *room;
         let mut between = None;
         if const { Self::RESTORED } {
             between = self.between.take();

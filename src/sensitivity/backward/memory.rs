@@ -117,8 +117,9 @@ where
         slopes: &M::Rows<RateOf<S, R, C>>,
         into: (&mut PositionOf<S, R, C>, &mut RateOf<S, R, C>),
     ) {
-        let (slopes, Some(mut room)) = (slopes.as_ref(), self.again.take()) else { return };
-        let ([_, found, ..], [own, _]) = (slopes, self.rule.own::<S::Scalar>(step)) else { return };
+        let (slopes, [own, _]) = (slopes.as_ref(), self.rule.own::<S::Scalar>(step));
+        let [_, found, ..] = slopes else { return };
+        let Some(mut room) = self.again.take() else { return };
         self.remember(past, step, slopes, &mut room.free);
         follow::<S, Elements<S, R, C>>((&room.free.0, &room.free.1), own, found, &self.zero, into);
         self.again = Some(room);

@@ -3,6 +3,7 @@
 mod adaptive;
 mod admission;
 mod again;
+mod apart;
 mod assembly;
 mod between;
 mod checkpoints;

@@ -166,7 +166,7 @@ where
     ) {
         let Some(room) = &mut self.room else { return };
         // All corrections are by the stage as it stands at rest.
-        let Room { sizes, x, y, p, q, still, .. } = &mut *room;
+        let Room { sizes, rest: Posed { x, y, p, q }, still, .. } = &mut *room;
         still.clone_from(stage.1);
         still.stop_clocks();
         S::pose(self.scene.elements(), still, &self.zero, self.scene.ground(clock.0).turn, sizes, x, y, p, q);
@@ -254,7 +254,8 @@ where
             }
             let stirred = room.stir::<P, _>(elements, &ground, stage, minus_weight, true);
             // What the stage's M and Γ change of x.
-            let Room { x, y, p, q, still, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
+            let Room { rest, still, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
+            let Posed { x, y, p, q } = &*rest;
             let mut pulled = S::Pulled::null();
             if number.is_none() {
                 pulled = S::pulled((of(&columns, &weights), &moved), (of(&columns, &force), &stirred));
@@ -264,7 +265,7 @@ where
             let reached = (&room.at_bodies, &room.at_joints, &*on_bodies, &*in_joints, &stage.pivots, in_loops);
             let motion = (&*still, zero, &*correction, &*solved);
             let sums = (&mut gradient.bodies, &mut gradient.joints);
-            let stores = (&*x, &*y, &*p, &*q, motion, reached, sums, (&mut *of_position, &mut *of_rate));
+            let stores = (x, y, p, q, motion, reached, sums, (&mut *of_position, &mut *of_rate));
             let angular = PositionOf::<S, R, C>::CLOCKED;
             let left = elements.take(&mut PullBack { laws: false, torques: false, angular }, pulled, stores);
             room.of_stage.add(of_position);

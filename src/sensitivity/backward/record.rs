@@ -7,9 +7,10 @@ use crate::element::Element;
 use crate::ends::Tip;
 use crate::mirror::Rate;
 use crate::motion::Motion;
-use crate::relation::{AccelerationOf, Closures};
-use crate::shape::{Kept, PerAxes, PerBody, PerClosure, PerJoint};
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures};
+use crate::shape::{Kept, PerAxes, PerBody, PerClosure, PerJoint, Positions};
 use crate::system::{Elements, PositionOf, RateOf};
+use crate::walks::measure::gains;
 use num_traits::Zero;
 
 /// A step of a scene.
@@ -46,6 +47,32 @@ pub(super) struct Stage<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> {
     /// What a unit of the force of each coupling causes, and these forces.
     pub(super) responses: Y::Each<E::Rate>,
     pub(super) tensions: Y::Each<S::Scalar>,
+}
+
+impl<S: Reversed, E: Element<S>, X: Closures, Y: Ties<S>> Stage<S, E, X, Y> {
+    /// Room for a stage.
+    pub(super) fn new(elements: &E, zero: &E::Rate) -> Self {
+        let (x, y, p, q) = S::blank();
+        Self {
+            x: elements.store::<PerAxes<_>>(x),
+            y: elements.store::<PerAxes<_>>(y),
+            p: elements.store::<PerAxes<_>>(p),
+            q: elements.store::<PerAxes<_>>(q),
+            kept: gains(elements),
+            pivots: elements.store::<PerJoint<_>>(S::no_pivot()),
+            at_bodies: elements.store::<PerBody<_>>(S::Vector::null()),
+            at_joints: elements.store::<PerJoint<_>>(S::Vector::null()),
+            position: elements.store::<Positions>(()),
+            rate: zero.clone(),
+            acceleration: zero.clone(),
+            in_loops: elements.store::<PerClosure>(()),
+            compliance: X::no_pairs(),
+            force: X::each(|_| S::Scalar::zero()),
+            reached: Acceleration::zero(),
+            responses: Y::each(zero),
+            tensions: Y::each(&S::Scalar::zero()),
+        }
+    }
 }
 
 /// A step with what its stages keep.

@@ -1,25 +1,25 @@
 //! Steps of a run with all that their stages keep for costates.
 
-use super::again::{Again, AgainOf, Apart};
+use super::again::{Again, AgainOf};
+use super::apart::Apart;
 use super::held::{Room, unturned};
 use super::loads::Seen;
 use super::projection::Projection;
 use super::record::{Place, Record, RecordOf, Stage, StageOf};
 use super::rules::Staged;
 use super::tied::Tying;
-use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, ReversibleTip, Ties};
+use crate::adjoint::{BodyLaw, Burdened, Outboard, Reversed, Reversible, ReversibleTip};
 use crate::element::{Coordinates, Element, Posture, RealOf};
 use crate::ends::{Root, Tip};
 use crate::loading::EffortOf;
 use crate::mirror::{Rate, Retraction};
-use crate::relation::{Acceleration, Additive, Closures, Cuts, Solvable, Wrench};
+use crate::relation::{Additive, Closures, Cuts, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::{are_few, displace, displace_by_row, with_row};
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
 use crate::walks::burden::Burden;
 use crate::walks::factor::Factor;
-use crate::walks::measure::gains;
 use crate::walks::meet::Meet;
 use crate::walks::missed::Turns;
 use crate::walks::reach::Reach;
@@ -30,10 +30,8 @@ use num_traits::Zero;
 /// Most rows that an explicit method has.
 pub(super) const ROWS: usize = 16;
 
-/// What puts the geometry of a sweep of a scene back, apart.
+/// What puts the geometry of a sweep back.
 type ProjectionOf<S, R, C> = Apart<Projection<S, Elements<S, R, C>>>;
-/// Room for sweeps of a scene, apart.
-type SweepsOf<S, R, C, P, L> = Apart<AgainOf<S, R, C, P, L>>;
 /// A torque, or its costate, for each joint.
 pub(super) type TorquesOf<S, R, C> = <Elements<S, R, C> as Shape<S>>::Store<PerJoint<EffortOf<S>>>;
 
@@ -66,7 +64,7 @@ pub(super) struct Steps<'s, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     /// What puts the geometry of a sweep back where something is held or closed, if a rule does.
     pub(super) between: Option<ProjectionOf<S, R, C>>,
     /// Room for the sweeps of a stage of an implicit rule.
-    pub(super) again: Option<SweepsOf<S, R, C, P, L>>,
+    pub(super) again: Option<AgainOf<S, R, C, P, L>>,
     /// Room for couplings of joints, if there are any.
     pub(super) tying: Option<Tying<S, R, C>>,
     pub(super) on_bodies: <Elements<S, R, C> as Shape<S>>::Store<PerBody<S::OnBody>>,
@@ -119,7 +117,7 @@ where
         nodes.iter_mut().enumerate().take(M::STAGES + 1).for_each(|(row, node)| *node = M::node(row));
         let (on_body, in_joint, at_ends) = S::untouched();
         let no_torque = EffortOf::<S>::null();
-        let mut steps = Self {
+        Self {
             loads: Seen::new(elements, law, scene.ground(RealOf::<S>::zero())),
             scene,
             rule,
@@ -134,7 +132,7 @@ where
             of_own: None,
             of_memory: zero.clone(),
             between: Self::RESTORED.then(|| Apart::new(Projection::new(elements, &zero))),
-            again: None,
+            again: M::IMPLICIT.then(|| Apart::new(Again::new(elements, &zero))),
             tying: Self::TIED.then(|| (elements.store::<PerJoint<_>>(no_torque), zero.clone())),
             sum: zero.clone(),
             zero,
@@ -147,41 +145,13 @@ where
             weights,
             nodes,
             room: (Self::CLOSED > 0).then(|| Room::new(elements)),
-        };
-        if M::IMPLICIT {
-            steps.again = steps
-                .record()
-                .stages
-                .as_ref()
-                .first()
-                .map(|stage| Apart::new(Again::new(elements.store::<Positions>(()), &steps.zero, stage)));
         }
-        steps
     }
 
     /// Room for a step.
     pub(super) fn record(&self) -> RecordOf<S, R, C, P, M, L> {
         let elements = self.scene.elements();
-        let (x, y, p, q) = S::blank();
-        let stage = Stage {
-            x: elements.store::<PerAxes<_>>(x),
-            y: elements.store::<PerAxes<_>>(y),
-            p: elements.store::<PerAxes<_>>(p),
-            q: elements.store::<PerAxes<_>>(q),
-            kept: gains(elements),
-            pivots: elements.store::<PerJoint<_>>(S::no_pivot()),
-            at_bodies: elements.store::<PerBody<_>>(S::Vector::null()),
-            at_joints: elements.store::<PerJoint<_>>(S::Vector::null()),
-            position: elements.store::<Positions>(()),
-            rate: self.zero.clone(),
-            acceleration: self.zero.clone(),
-            in_loops: elements.store::<PerClosure>(()),
-            compliance: P::Closures::no_pairs(),
-            force: P::Closures::each(|_| S::Scalar::zero()),
-            reached: Acceleration::zero(),
-            responses: L::Ties::each(&self.zero),
-            tensions: L::Ties::each(&S::Scalar::zero()),
-        };
+        let stage = Stage::new(elements, &self.zero);
         let projection = (Self::CLOSED > 0).then(|| Projection::new(elements, &self.zero));
         Record { stages: M::stages(&stage), accelerations: M::rows(&self.zero), projection }
     }
