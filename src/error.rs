@@ -143,6 +143,8 @@ pub enum Fault {
     },
     /// A list of coordinates, rates, loads or states has the wrong length.
     Count {
+        /// Of what.
+        list: &'static str,
         /// Values needed.
         expected: usize,
         /// Values given.
@@ -253,8 +255,8 @@ impl Error {
 impl core::error::Error for Error {}
 
 /// Refuses a list of another length.
-pub(crate) fn counted(expected: usize, given: usize) -> Result<(), Error> {
-    if given == expected { Ok(()) } else { Err(Error::new(Fault::Count { expected, given })) }
+pub(crate) fn counted(list: &'static str, expected: usize, given: usize) -> Result<(), Error> {
+    if given == expected { Ok(()) } else { Err(Error::new(Fault::Count { list, expected, given })) }
 }
 
 /// Refuses numbers that are not finite.

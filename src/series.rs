@@ -19,15 +19,15 @@
 //! Coefficients are those of powers of time (s): the acceleration of a coordinate is Σ a_k tᵏ from a step's start.
 
 mod laws;
+mod loads;
 
 pub use laws::{ExpandLaw, Strain};
+pub use loads::{Borne, ExpandBody, ExpandLoad, ExpandLoads, Setting};
 
 use crate::element::{Element, Space};
-use crate::loading::{Loading, Loads, SeriesLaw, Unloaded};
-use crate::relation::{Absent, AccelerationOf, Closures, Open, Part, WrenchOf};
+use crate::relation::{AccelerationOf, Closures, Open, WrenchOf};
 use crate::scalar::Real;
 use crate::shape::{Closing, Takes};
-use crate::space::RealOf;
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 
 /// A space whose elements have Taylor series.
@@ -57,6 +57,8 @@ pub trait Expandable: Space {
     fn unpushed() -> Self::Pushed;
     /// A force and torque on what lies outboard, to be carried inward.
     fn pushed(felt: WrenchOf<Self>) -> Self::Pushed;
+    /// What is carried, less a load that acts where it is felt.
+    fn relieved(pushed: Self::Pushed, load: WrenchOf<Self>) -> Self::Pushed;
     /// The force and torque that is carried.
     fn felt(pushed: Self::Pushed) -> WrenchOf<Self>;
     /// An acceleration, to be carried outward.
@@ -98,18 +100,22 @@ impl<R: Real> Order<R> {
     }
 }
 
-/// Elements whose motion has a Taylor series of order `N` through kept gains, under efforts `Q` in joints and closure forces `C`.
-pub trait Expand<S: Expandable, Q: Part, const N: usize, C: Closures = Open>:
-    Element<S> + Takes<S, Begin<N>> + Takes<S, Articulate<S, N, C>> + Takes<S, Push<S, Q, N, C>> + Takes<S, Swing<S, N, C>>
+/// Elements whose motion has a Taylor series of order `N` through kept gains, under loads `L` and closure forces `C`.
+pub trait Expand<S: Expandable, L: ExpandLoads<S, N>, const N: usize, C: Closures = Open>:
+    Element<S>
+    + Takes<S, Begin<N>>
+    + Takes<S, Articulate<S, N, C>>
+    + Takes<S, Push<S, L, N, C>>
+    + Takes<S, Swing<S, L, N, C>>
 {
 }
 
-impl<S: Expandable, Q: Part, E, C: Closures, const N: usize> Expand<S, Q, N, C> for E where
+impl<S: Expandable, L: ExpandLoads<S, N>, E, C: Closures, const N: usize> Expand<S, L, N, C> for E where
     E: Element<S>
         + Takes<S, Begin<N>>
         + Takes<S, Articulate<S, N, C>>
-        + Takes<S, Push<S, Q, N, C>>
-        + Takes<S, Swing<S, N, C>>
+        + Takes<S, Push<S, L, N, C>>
+        + Takes<S, Swing<S, L, N, C>>
 {
 }
 
@@ -129,34 +135,4 @@ pub trait ExpandClosing<S: Expandable>: Closing<S> {
 pub trait ExertClosing<S: Expandable, Q>: ExpandClosing<S> {
     /// The force and torque by which an effort acts on what lies outboard of the side arm: on the main one.
     fn exerted(&self, effort: Q) -> WrenchOf<S>;
-}
-
-/// Loads that have a series.
-#[diagnostic::on_unimplemented(
-    message = "`Taylor` knows no series of loads `{Self}`",
-    label = "loads without a series",
-    note = "it runs scenes under gravity, springs, dampers and efforts in joints that are values or functions of time; `Dop853` runs all"
-)]
-pub trait ExpandLoads<S: Space>: Loading<S> {
-    /// Whether loads are functions of time.
-    const OVER_TIME: bool;
-
-    /// The first coefficients of the effort in the joint of a number, of powers of time (s) around a time: as many as are asked for.
-    fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize, asked: usize) -> [Self::InJoint; N];
-}
-
-impl<S: Space> ExpandLoads<S> for Unloaded {
-    const OVER_TIME: bool = false;
-
-    fn in_joint_over_time<const N: usize>(&self, _: RealOf<S>, _: usize, _: usize) -> [Absent; N] {
-        [Absent; N]
-    }
-}
-
-impl<S: Space, J: SeriesLaw<S::JointMotion>> ExpandLoads<S> for Loads<Absent, J> {
-    const OVER_TIME: bool = J::OVER_TIME;
-
-    fn in_joint_over_time<const N: usize>(&self, time: RealOf<S>, joint: usize, asked: usize) -> [J::Value; N] {
-        self.joints().series(time, joint, asked)
-    }
 }

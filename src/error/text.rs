@@ -19,7 +19,8 @@ impl fmt::Display for Fault {
         match *self {
             Fault::NotZero { parameter } => write!(f, "{parameter} must be zero"),
             Fault::NotPositive { parameter, value } => {
-                write!(f, "{parameter} must be positive, but is {}", Number(value))
+                let finite = if value > 0.0 { " and finite" } else { "" };
+                write!(f, "{parameter} must be positive{finite}, but is {}", Number(value))
             }
             Fault::Negative { parameter, value } => {
                 write!(f, "{parameter} must not be negative, but is {}", Number(value))
@@ -79,15 +80,16 @@ impl fmt::Display for Fault {
                     residual = Number(residual)
                 )
             }
-            Fault::Count { expected, given } => {
-                write!(f, "a list of {expected} values is needed, one of {given} is given")
+            Fault::Count { list, expected, given } => {
+                write!(f, "a list of {list} needs {expected} values, but has {given}")
             }
             Fault::NoBodies => write!(f, "the chain has no body"),
             Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
             Fault::RedundantClosures { closure, independent, of } => {
                 write!(
                     f,
-                    "closures are redundant: {independent} of {of} are independent, one that is not holds {closure}"
+                    "closures are redundant in this posture: {independent} of {of} are independent, one that is not holds \
+                     {closure}; a straight guess has to be bent, and what is held more often than it can move is one for `LeastNorm`"
                 )
             }
             Fault::SingularTransfer => write!(

@@ -49,6 +49,8 @@
 //! | a crank that turns as it is told, whatever it takes | [`Driven`](crate::planar::Driven) around a joint |
 //! | a joint that follows another one: gears, belts, grippers | [`Couplings`](crate::planar::Couplings) |
 //! | what a geared motor can give of a torque asked for | [`Motor`](crate::planar::Motor) |
+//! | forces on bodies that are known numbers | `Loads::none().wrenches([..])`: one for each body |
+//! | a law on bodies that [`Taylor`](crate::planar::Taylor) knows | [`Loads::on_bodies_over_time`](crate::planar::Loads::on_bodies_over_time) |
 //! | feet on the ground, in space | [`Contacts`](crate::spatial::Contacts) |
 //! | a law of one's own in a joint, known to implicit rules | [`SpringLaw`](crate::planar::SpringLaw) |
 //! | a spring between two points of bodies | [`Strut`](crate::planar::Strut) |

@@ -3,7 +3,7 @@
 use super::count;
 use crate::error::Fault;
 use crate::lift::lift;
-use crate::relation::{Absent, Additive, Part};
+use crate::relation::{Absent, Additive, Geometry, Part};
 use crate::scalar::{Real, Scalar};
 use crate::sealed::Sealed;
 use crate::space::{RealOf, Space};
@@ -29,6 +29,13 @@ pub trait LoadLaw<M: Seen> {
     const READS: bool = true;
     /// The load on the body or in the joint of a number.
     fn at(&self, time: RealOf<M::Space>, number: usize, motion: &M) -> Self::Value;
+    /// The load at a time that is a number as those of the motion are: a power series, where a run by [`Taylor`](crate::time::Taylor) asks for one
+    /// ([`Loads::on_bodies_over_time`](super::Loads::on_bodies_over_time)). A law that depends on time has to be written here, and [`at`](Self::at)
+    /// by it; any other has nothing to add: it is asked at a time that is no number, so that one which does look at it makes a load that is none.
+    fn over_time(&self, time: <M::Space as Geometry>::Scalar, number: usize, motion: &M) -> Self::Value {
+        let _ = time;
+        self.at(RealOf::<M::Space>::of(f64::NAN), number, motion)
+    }
     /// Loads where they are a list.
     fn list(&self) -> &[Self::Value] {
         &[]
@@ -161,7 +168,7 @@ pub trait TimeLaw<R: Real> {
     }
 }
 
-/// A [`TimeLaw`] as the law of what acts in joints.
+/// A [`TimeLaw`] as the law of what acts in joints; a [`LoadLaw`] written for any number as that of what acts on bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OverTime<F>(pub F);
 
@@ -219,6 +226,6 @@ impl<M: Seen, V: AsRef<[M::Load]>> LoadLaw<M> for Values<V> {
         self.0.as_ref()
     }
     fn check(&self, expected: usize) -> Result<(), Fault> {
-        count(expected, self.0.as_ref().len())
+        count("loads", expected, self.0.as_ref().len())
     }
 }

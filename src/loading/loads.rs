@@ -37,6 +37,14 @@ use crate::space::{RealOf, Space};
 /// # Ok::<(), catena::Error>(())
 /// ```
 ///
+/// What acts on bodies is said once, and so is what acts in joints: a second law would take the place of the first, and does not compile. One
+/// that adds up both does.
+///
+/// ```compile_fail,E0599
+/// use catena::planar::*;
+/// let loads = Loads::none().torques([5.0, 0.0]).in_joints(|_, _, motion: &JointMotion<f64>| -0.1 * motion.rate());
+/// ```
+///
 /// # In a struct
 ///
 /// A closure has a type without a name, and each another one. Values handed in have a name, [`InJoints`] with a function pointer has
@@ -105,7 +113,8 @@ impl Loads {
     }
 }
 
-impl<B, J> Loads<B, J> {
+/// On bodies, of whom nothing has been said yet.
+impl<J> Loads<Absent, J> {
     /// Forces and torques on bodies: a function of time (s), body number and motion.
     pub fn on_bodies<M, F>(self, law: F) -> Loads<OnBodies<F>, J>
     where
@@ -115,6 +124,67 @@ impl<B, J> Loads<B, J> {
         self.on_bodies_by(OnBodies::new(law))
     }
 
+    /// Forces and torques on bodies as a function of motion and time, which [`Taylor`](crate::time::Taylor) knows: by a law that is
+    /// analytic and written for any number.
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// use catena::scalar::{Elementary, Scalar};
+    ///
+    /// /// Air that resists the middle of each body by c v |v| (N), and gusts along x.
+    /// #[derive(Clone, Copy)]
+    /// struct Wind<T> {
+    ///     resistance: T,
+    ///     gust: T,
+    /// }
+    /// catena::lift!(Wind<T> { resistance, gust });
+    ///
+    /// impl<T: Scalar> LoadLaw<BodyMotion<T>> for Wind<T> {
+    ///     type Value = Wrench<T>;
+    ///     fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+    ///         self.over_time(T::constant(time), body, motion)
+    ///     }
+    ///     fn over_time(&self, time: T, _: usize, motion: &BodyMotion<T>) -> Wrench<T> {
+    ///         let middle = motion.inertia.centre;
+    ///         let velocity = motion.point(middle).velocity;
+    ///         let (x, y) = (velocity.x - self.gust * time.sin_cos().0, velocity.y);
+    ///         let drag = -self.resistance * (x * x + y * y + T::literal(1e-6)).sqrt();
+    ///         motion.force_at(middle, [drag * x, drag * y])
+    ///     }
+    /// }
+    ///
+    /// let rod = Rod::uniform(1.0, 1.0);
+    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    /// let loads = Loads::none().on_bodies_over_time(Wind { resistance: 0.4, gust: 2.0 });
+    /// let start = pendulum.at_rest(&[-1.0, -0.5])?;
+    /// let series = pendulum.simulation(Taylor::<20>::tolerance(1e-11)).loads(&loads).run(start, 1.0, |_| ())?;
+    /// let other = pendulum.simulation(Dop853::tolerance(1e-11)).loads(&loads).run(start, 1.0, |_| ())?;
+    /// assert!((series.motion.position().0 - other.motion.position().0).abs() < 1e-9);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    ///
+    /// Each product in such a law is one of series, of k products of numbers for coefficient k and all before it: unless the law is short,
+    /// [`Dop853`](crate::time::Dop853) is many times as fast, and so [`AutoTaylor`](crate::time::AutoTaylor) leaves such loads to it. Loads that
+    /// are [values](Self::wrenches) cost a series nothing. A law with cases (`if`, [`abs`](crate::scalar::Scalar::abs) of what passes zero)
+    /// has no series where they change.
+    pub fn on_bodies_over_time<L>(self, law: L) -> Loads<OverTime<L>, J> {
+        self.on_bodies_by(OverTime(law))
+    }
+
+    /// Wrenches on bodies as values handed in, one for each body from the root on: as many as
+    /// [`System::bodies`](crate::system::System::bodies) says.
+    pub fn wrenches<V>(self, wrenches: V) -> Loads<Values<V>, J> {
+        self.on_bodies_by(Values(wrenches))
+    }
+
+    /// What a law of the user's own exerts on bodies: a type that has a name, see [`LoadLaw`].
+    pub fn on_bodies_by<L>(self, law: L) -> Loads<L, J> {
+        Loads { bodies: law, joints: self.joints }
+    }
+}
+
+/// In joints, of which nothing has been said yet.
+impl<B> Loads<B> {
     /// Efforts in joints, ON the outboard body: a function of time (s), joint number and motion. In the plane torques (N·m), and forces
     /// along the lines of sliders (N).
     ///
@@ -148,22 +218,13 @@ impl<B, J> Loads<B, J> {
         self.efforts(torques)
     }
 
-    /// Wrenches on bodies as values handed in, one for each body from the root on: as many as
-    /// [`System::bodies`](crate::system::System::bodies) says.
-    pub fn wrenches<V>(self, wrenches: V) -> Loads<Values<V>, J> {
-        self.on_bodies_by(Values(wrenches))
-    }
-
-    /// What a law of the user's own exerts on bodies: a type that has a name, see [`LoadLaw`].
-    pub fn on_bodies_by<L>(self, law: L) -> Loads<L, J> {
-        Loads { bodies: law, joints: self.joints }
-    }
-
     /// What a law of the user's own exerts in joints: a type that has a name, see [`LoadLaw`].
     pub fn in_joints_by<L>(self, law: L) -> Loads<B, L> {
         Loads { bodies: self.bodies, joints: law }
     }
+}
 
+impl<B, J> Loads<B, J> {
     /// What acts on bodies.
     pub fn bodies(&self) -> &B {
         &self.bodies
@@ -203,7 +264,13 @@ impl<S: Space, B: LoadLaw<S::BodyMotion, Value: Load<S>>, J: LoadLaw<S::JointMot
         self.joints.list()
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
-        self.bodies.check(bodies)?;
-        self.joints.check(joints)
+        let of = |list: &'static str| {
+            move |fault| match fault {
+                Fault::Count { expected, given, .. } => Fault::Count { list, expected, given },
+                other => other,
+            }
+        };
+        self.bodies.check(bodies).map_err(of("wrenches on bodies"))?;
+        self.joints.check(joints).map_err(of("efforts in joints"))
     }
 }

@@ -142,8 +142,8 @@ pub(crate) fn suits<S: Space, P: Position<S::Scalar>>(
 }
 
 /// Refuses a list that is not as long as it must be.
-fn count(expected: usize, given: usize) -> Result<(), Fault> {
-    if given == expected { Ok(()) } else { Err(Fault::Count { expected, given }) }
+fn count(list: &'static str, expected: usize, given: usize) -> Result<(), Fault> {
+    if given == expected { Ok(()) } else { Err(Fault::Count { list, expected, given }) }
 }
 
 /// A load on a body, or [`Absent`].

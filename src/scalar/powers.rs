@@ -62,7 +62,7 @@ impl<T: Scalar, const N: usize> Powers<T, N> {
 
     /// A series of `count` coefficients, or of as many as are asked for.
     #[inline(always)]
-    fn polynomial(count: usize, asked: usize, mut each: impl FnMut(usize) -> T) -> Self {
+    pub(crate) fn polynomial(count: usize, asked: usize, mut each: impl FnMut(usize) -> T) -> Self {
         let (mut terms, count) = ([T::zero(); N], count.min(asked));
         for (k, term) in terms[..count].iter_mut().enumerate() {
             *term = each(k);

@@ -5,13 +5,12 @@ mod sums;
 
 use super::between::complete;
 use super::{Method, MotionIn, Stepper, TimeIn};
-use crate::element::Element;
+use crate::element::{Element, Unloaded};
 use crate::ends::{ExpandTip, Resting};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Position, Rate, Retraction};
 use crate::motion::Motion;
-use crate::relation::Absent;
 use crate::scalar::{Powers, Real, Scalar};
 use crate::series::{Expand, Expandable};
 use crate::system::{Elements, SeriesDynamics, System};
@@ -94,7 +93,7 @@ impl<const P: usize> Taylor<P> {
         R: Resting<S>,
         C: Element<S>,
         E: ExpandTip<S>,
-        Elements<S, R, C>: Expand<S, Absent, P, E::Closures>,
+        Elements<S, R, C>: Expand<S, Unloaded, P, E::Closures>,
     {
     }
 }
@@ -160,10 +159,8 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     /// Begins the series at the motion ahead.
     fn open(&mut self, loads: &L) {
         let Motion { time, position, rate, acceleration, multipliers } = &mut self.ahead;
-        if D::LOADED {
-            self.scene.recite(*time, loads, self.order, &mut self.series);
-        }
-        *multipliers = self.scene.begin(*time, position, rate, &mut self.series, acceleration);
+        let (motion, series) = ((&*position, &*rate), &mut self.series);
+        *multipliers = self.scene.begin(*time, motion, loads, self.order, series, acceleration);
         (self.begun, self.known) = (true, *time);
     }
 
@@ -171,7 +168,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     fn expand(&mut self, past: &MotionIn<D, L>, loads: &L) -> Result<(), Error> {
         if D::LOADED
             && (self.begun || self.expanded)
-            && !self.scene.recite(self.known, loads, self.order, &mut self.series)
+            && !self.scene.agrees(self.known, loads, self.order, &mut self.series)
         {
             (self.begun, self.expanded) = (false, false);
         }
@@ -188,7 +185,10 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         core::mem::swap(&mut self.origin, &mut self.ahead);
         if let Some((first, others)) = self.accelerations[..self.order].split_first_mut() {
             first.set(&self.origin.acceleration);
-            self.scene.expand(&mut self.series, others);
+            if !self.scene.expand(self.known, loads, &mut self.series, others) {
+                (self.begun, self.expanded) = (false, false);
+                return Err(Error::new(Fault::NonFiniteLoad).at_time(self.known.as_f64()));
+            }
         }
         if D::Position::CURVED {
             self.note_turns();

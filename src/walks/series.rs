@@ -1,12 +1,15 @@
 //! Coefficients of a motion's Taylor series, order by order: the walks of the [contract](crate::series).
 
+mod loads;
 mod loops;
+
+pub use loads::{SetOut, Weigh};
 
 use crate::relation::{Closures, Cuts, Open, Part, WrenchOf};
 use crate::series::{ExpandLoads, Expandable, Order};
 use crate::shape::{
-    Arm, AtBody, AtClosing, AtJoint, Body, Closing, Columns, Joint, Mut, Outward, PerAxes, PerJoint, Positions, Rates,
-    Ref, Selective, Walk, Way, alike, alike_in_arms,
+    Arm, AtBody, AtClosing, AtJoint, Body, Closing, Columns, Joint, Mut, Outward, PerAxes, PerBody, PerJoint,
+    Positions, Rates, Ref, Selective, Walk, Way, alike, alike_in_arms,
 };
 use crate::space::{RealOf, Space};
 use core::marker::PhantomData;
@@ -27,22 +30,24 @@ pub struct Articulate<S: Expandable, const N: usize, C: Closures = Open> {
     pub cuts: Cuts<WrenchOf<S>, S::Scalar, C>,
 }
 
-/// Carries inward the force and torque on what lies outboard, as far as coefficients known so far, springs and efforts `Q` cause them.
-pub struct Push<S: Expandable, Q, const N: usize, C: Closures = Open> {
+/// Carries inward the force and torque on what lies outboard, as far as coefficients known so far, springs and loads `L` cause them.
+pub struct Push<S: Expandable, L, const N: usize, C: Closures = Open> {
     /// Of which order.
     pub order: Order<RealOf<S>>,
     /// y: by what all that has been met moves where the closure forces act.
     pub gaps: C::Each<S::Scalar>,
-    /// Of which type efforts are.
-    pub efforts: PhantomData<Q>,
+    /// Under loads of which type.
+    pub loads: PhantomData<L>,
 }
 
 /// Finds the accelerations of an order from that of the root, and coefficients that follow from them.
-pub struct Swing<S: Expandable, const N: usize, C: Closures = Open> {
+pub struct Swing<S: Expandable, L, const N: usize, C: Closures = Open> {
     /// Of which order.
     pub order: Order<RealOf<S>>,
     /// λ of that order.
     pub forces: C::Each<S::Scalar>,
+    /// Under loads of which type.
+    pub loads: PhantomData<L>,
 }
 
 impl<S: Expandable, const N: usize> Walk<S> for Begin<N> {
@@ -75,38 +80,38 @@ impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Articulate<S, 
     }
 }
 
-impl<S: Expandable, Q: Part, C: Closures, const N: usize> Walk<S> for Push<S, Q, N, C> {
+impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Walk<S> for Push<S, L, N, C> {
     type Carried = S::Pushed;
-    /// What is kept; coefficients of efforts.
-    type Stores = (Kept<S, C, N>, Ref<PerJoint<[Q; N]>>);
+    /// What is kept; coefficients of efforts; loads on bodies.
+    type Stores = (Kept<S, C, N>, Ref<PerJoint<[L::InJoint; N]>>, Ref<PerBody<L::Borne>>);
 }
 
-impl<S: Expandable, Q: Part, C: Closures, const N: usize> Selective<S> for Push<S, Q, N, C> {
+impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Selective<S> for Push<S, L, N, C> {
     const OUTWARD: bool = false;
-    type In<Y: Way> = Push<S, Q, N, Y::Forces<C>>;
+    type In<Y: Way> = Push<S, L, N, Y::Forces<C>>;
 
     #[cfg_attr(optimised, inline(always))]
     fn branch(&mut self, chain: S::Pushed, go: impl FnOnce(&mut Self::In<Arm>, S::Pushed) -> S::Pushed) -> S::Pushed {
-        let arm = go(&mut Push { order: self.order, gaps: (), efforts: PhantomData }, S::unpushed());
+        let arm = go(&mut Push { order: self.order, gaps: (), loads: PhantomData }, S::unpushed());
         S::pushed(S::felt(chain) + S::felt(arm))
     }
 }
 
-impl<S: Expandable, C: Closures, const N: usize> Walk<S> for Swing<S, N, C> {
+impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Walk<S> for Swing<S, L, N, C> {
     type Carried = S::Swung;
-    /// What is kept; accelerations.
-    type Stores = (Kept<S, C, N>, Mut<Rates>);
+    /// What is kept; accelerations; loads on bodies.
+    type Stores = (Kept<S, C, N>, Mut<Rates>, Mut<PerBody<L::Borne>>);
 }
 
-impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Swing<S, N, C> {
+impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Selective<S> for Swing<S, L, N, C> {
     const OUTWARD: bool = true;
-    type In<Y: Way> = Swing<S, N, Y::Forces<C>>;
+    type In<Y: Way> = Swing<S, L, N, Y::Forces<C>>;
 
     #[cfg_attr(optimised, inline(always))]
     fn branch(&mut self, carried: S::Swung, go: impl FnOnce(&mut Self::In<Arm>, S::Swung) -> S::Swung) -> S::Swung {
         // Whatever is known of one body beyond here is not of the other.
         let carried = S::accelerated(S::acceleration(carried));
-        go(&mut Swing { order: self.order, forces: () }, carried);
+        go(&mut Swing { order: self.order, forces: (), loads: PhantomData }, carried);
         carried
     }
 }
@@ -125,12 +130,12 @@ pub struct Recite<'l, S: Space, L, const N: usize> {
     pub same: bool,
 }
 
-impl<S: Space, L: ExpandLoads<S>, const N: usize> Walk<S> for Recite<'_, S, L, N> {
+impl<S: Expandable, L: ExpandLoads<S, N>, const N: usize> Walk<S> for Recite<'_, S, L, N> {
     type Carried = ();
     type Stores = (Mut<PerJoint<[L::InJoint; N]>>,);
 }
 
-impl<S: Space, L: ExpandLoads<S>, const N: usize> Recite<'_, S, L, N> {
+impl<S: Expandable, L: ExpandLoads<S, N>, const N: usize> Recite<'_, S, L, N> {
     fn meet(&mut self, efforts: &mut [L::InJoint; N]) {
         let now = self.loads.in_joint_over_time(self.time, self.joint, self.asked);
         let before = core::mem::replace(efforts, now);
@@ -139,7 +144,7 @@ impl<S: Space, L: ExpandLoads<S>, const N: usize> Recite<'_, S, L, N> {
     }
 }
 
-impl<S: Space, L: ExpandLoads<S>, const N: usize> Outward<S> for Recite<'_, S, L, N> {
+impl<S: Expandable, L: ExpandLoads<S, N>, const N: usize> Outward<S> for Recite<'_, S, L, N> {
     alike!();
 
     fn body<B: Body<S>>(&mut self, _: &B, (): (), _: AtBody<'_, S, Self, B>) {}

@@ -7,7 +7,8 @@ use crate::stepper::{ExplicitStepper, Method, MotionIn, Stepper, TaylorStepper, 
 use crate::system::SeriesDynamics;
 use crate::time::{Dop853, Taylor};
 
-/// From this tolerance on series of functions of time are dearer than stages of `Dop853`; those of laws that are not linear are at any.
+/// From this tolerance on series of functions of time are dearer than stages of `Dop853`; those of laws that are not linear and
+/// of loads that depend on motion are at any.
 const COARSE: f64 = 1e-10;
 
 /// Steps by [`Dop853`] or by series of orders up to `P`: by the latter, but under efforts that are functions of time at coarse tolerances.

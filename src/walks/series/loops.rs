@@ -1,8 +1,8 @@
 //! Coefficients around loops: the forces that close a loop have the gains of every order, those of its elimination.
 
 use super::{Articulate, Begin, Push, Swing};
-use crate::relation::{Closures, Cuts, Own, Part, Wrench, WrenchOf};
-use crate::series::{ExertClosing, ExpandClosing, Expandable};
+use crate::relation::{Closures, Cuts, Own, Wrench, WrenchOf};
+use crate::series::{ExertClosing, ExpandClosing, ExpandLoads, Expandable};
 use crate::shape::{Around, AtClosing, CarriedIn, Closing, Main, Side};
 use core::marker::PhantomData;
 use num_traits::Zero;
@@ -55,11 +55,11 @@ impl<S: Expandable, K: ExpandClosing<S>, C: Closures, const N: usize> Around<S, 
     }
 }
 
-impl<S, K, Q, C, const N: usize> Around<S, K> for Push<S, Q, N, C>
+impl<S, K, L, C, const N: usize> Around<S, K> for Push<S, L, N, C>
 where
     S: Expandable,
-    K: ExertClosing<S, Q>,
-    Q: Part,
+    K: ExertClosing<S, L::InJoint>,
+    L: ExpandLoads<S, N>,
     C: Closures,
 {
     #[cfg_attr(optimised, inline(always))]
@@ -67,14 +67,14 @@ where
         &mut self,
         closing: &K,
         outer: S::Pushed,
-        ((_, _, (gain, through)), efforts): AtClosing<'_, S, Self, K>,
+        ((_, _, (gain, through)), efforts, _): AtClosing<'_, S, Self, K>,
         main: impl FnOnce(&mut Self::In<Main<OwnOf<S, K>>>, S::Pushed) -> S::Pushed,
         side: impl FnOnce(&mut Self::In<Side<OwnOf<S, K>>>, S::Pushed) -> S::Pushed,
     ) -> S::Pushed {
         let (order, none) = (self.order, zeros::<S, OwnOf<S, K>>());
         *through = closing.exerted(order.among(efforts));
-        let mut in_side = Push { order, gaps: none, efforts: PhantomData };
-        let mut in_main = Push { order, gaps: (zeros::<S, C>(), none), efforts: PhantomData };
+        let mut in_side = Push { order, gaps: none, loads: PhantomData };
+        let mut in_main = Push { order, gaps: (zeros::<S, C>(), none), loads: PhantomData };
         let side = S::felt(side(&mut in_side, S::pushed(*through)));
         let mut both = S::felt(main(&mut in_main, S::pushed(S::felt(outer) - *through))) + side;
         let (riding, own) = in_main.gaps;
@@ -86,13 +86,19 @@ where
     }
 }
 
-impl<S: Expandable, K: ExpandClosing<S>, C: Closures, const N: usize> Around<S, K> for Swing<S, N, C> {
+impl<S, K, L, C, const N: usize> Around<S, K> for Swing<S, L, N, C>
+where
+    S: Expandable,
+    K: ExpandClosing<S>,
+    L: ExpandLoads<S, N>,
+    C: Closures,
+{
     #[cfg_attr(optimised, inline(always))]
     fn around(
         &mut self,
         closing: &K,
         inboard: S::Swung,
-        ((_, _, (gain, through)), internal): AtClosing<'_, S, Self, K>,
+        ((_, _, (gain, through)), internal, _): AtClosing<'_, S, Self, K>,
         main: impl FnOnce(&mut Self::In<Main<OwnOf<S, K>>>, S::Swung) -> S::Swung,
         side: impl FnOnce(&mut Self::In<Side<OwnOf<S, K>>>, S::Swung) -> CarriedIn<S, Self, Side<OwnOf<S, K>>>,
     ) -> S::Swung {
@@ -102,7 +108,7 @@ impl<S: Expandable, K: ExpandClosing<S>, C: Closures, const N: usize> Around<S, 
         OwnOf::<S, K>::zip(&closing.columns(), &forces, |w, by| passed = WrenchOf::<S>::plus_scaled(passed, by, w));
         // Internal torques are those on the inboard side.
         *internal = S::numbers(Wrench { torque: -passed.torque, ..passed });
-        side(&mut Swing { order, forces }, S::accelerated(acceleration));
-        main(&mut Swing { order, forces: (self.forces, forces) }, S::accelerated(acceleration))
+        side(&mut Swing { order, forces, loads: PhantomData }, S::accelerated(acceleration));
+        main(&mut Swing { order, forces: (self.forces, forces), loads: PhantomData }, S::accelerated(acceleration))
     }
 }

@@ -3,7 +3,7 @@
 use super::counting::allocations;
 use catena::Error;
 use catena::Lift;
-use catena::loading::{Loading, Unloaded};
+use catena::loading::{LoadLaw, Loading, Unloaded};
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
 use catena::sensitivity::ThroughGains;
@@ -12,6 +12,21 @@ use catena::system::Element;
 use catena::system::Root;
 use catena::system::{Dynamics, Runs};
 use catena::time::Sdirk4;
+
+/// What resists the mass centre of each body.
+#[derive(Clone, Copy)]
+struct Drag<T> {
+    resistance: T,
+}
+
+catena::lift!(Drag<T> { resistance });
+
+impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
+    type Value = Wrench<T>;
+    fn at(&self, _: T::Real, _: usize, body: &BodyMotion<T>) -> Wrench<T> {
+        body.force_at(body.inertia.centre, (body.centre().velocity * -self.resistance).into())
+    }
+}
 
 /// Allocations in ten steps by `advance`, with error and dense output, in ten by `step`, and in ten sweeps on their
 /// own.
@@ -118,6 +133,8 @@ fn steps_by_series_allocate_nothing() -> Result<(), Error> {
     assert_eq!(in_steps(root, (rod, [(Pin, plate); 5]), &Unloaded, Taylor::<12>)?, [0; 3], "array");
     let tree = (rod, vec![(Branch(vec![(hinge, rod); 2]), Pin, plate); 2]);
     assert_eq!(in_steps(root, tree, &Unloaded, Taylor::<12>)?, [0; 3], "tree");
+    let loads = Loads::none().on_bodies_over_time(Drag { resistance: 0.1 }).torques([0.1; 6]);
+    assert_eq!(in_steps(root, (rod, [(Pin, plate); 5]), &loads, Taylor::<12>)?, [0; 3], "under loads");
     Ok(())
 }
 

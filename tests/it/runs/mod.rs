@@ -17,6 +17,7 @@ mod series_held;
 mod series_in_space;
 mod series_loops;
 mod series_of_laws;
+mod series_under_loads;
 mod spatial_orders;
 mod spatial_references;
 mod spatial_runs;

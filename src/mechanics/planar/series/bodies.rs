@@ -16,9 +16,9 @@ use super::{Articulated, Pushed, Swung, pulled};
 use crate::mechanics::planar::body::Base;
 use crate::mechanics::planar::{Acceleration, Body, Internal, Planar, PointMass, RigidBody, Rod, Turn};
 use crate::relation::planar::algebra::{Symmetric2, add_scaled, dot, normal, plus_dot};
-use crate::relation::{Closures, Part, Symmetric};
+use crate::relation::{Closures, Symmetric};
 use crate::scalar::Scalar;
-use crate::series::Order;
+use crate::series::{Borne, ExpandLoads, Order};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use core::array::from_fn;
@@ -180,13 +180,13 @@ macro_rules! bodies {
                 Articulated { linear, coupling, angular, lever: Some(lever) }
             }
         }
-        impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>> for $Body<T> {
+        impl<T: Scalar, A: ExpandLoads<Planar<T>, N>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, A, N, C>> for $Body<T> {
             #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
-                Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
+                Push { order, gaps, .. }: &mut Push<Planar<T>, A, N, C>,
                 outer: Pushed<T>,
-                ((room, (), columns), ()): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
+                ((room, (), columns), (), load): Of<'_, Planar<T>, Push<Planar<T>, A, N, C>, Self>,
             ) -> Pushed<T> {
                 let [x, y, m, n] = room.products.of(order.k);
                 let (last, outer) = (matches!(outer, Pushed::None), outer.felt());
@@ -204,18 +204,21 @@ macro_rules! bodies {
                 };
                 let torque = room.moment.x.mul_add(curl.x, m) + room.moment.y.mul_add(curl.y, n) + outer.torque;
                 let known = Internal { force, torque };
-                if last { Pushed::Felt(known) } else { Pushed::Levered { known, force: outer.force, lever: room.lever } }
+                let felt =
+                    if last { Pushed::Felt(known) } else { Pushed::Levered { known, force: outer.force, lever: room.lever } };
+                load.relieve(order, felt)
             }
         }
-        impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>> for $Body<T> {
+        impl<T: Scalar, A: ExpandLoads<Planar<T>, N>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, A, N, C>> for $Body<T> {
             #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
-                walk: &mut Swing<Planar<T>, N, C>,
+                walk: &mut Swing<Planar<T>, A, N, C>,
                 inboard: Swung<T>,
-                ((room, (), columns), ()): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
+                ((room, (), columns), (), load): Of<'_, Planar<T>, Swing<Planar<T>, A, N, C>, Self>,
             ) -> Swung<T> {
-                let Swing { order, forces } = walk;
+                let Swing { order, forces, .. } = walk;
+                load.note(order, inboard);
                 let Acceleration { linear, angular } = inboard.acceleration();
                 let known = pulled::<T, C>(room.known, columns, forces);
                 let (force, moved) = if Self::MOMENT {

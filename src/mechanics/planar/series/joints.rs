@@ -3,9 +3,9 @@
 use super::{Articulated, Pushed, Swung, applied_onto};
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Internal, Joint, Pin, Planar, Turn, Weld};
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
-use crate::relation::{Closures, Cuts, Part, Symmetric, Term};
+use crate::relation::{Closures, Cuts, Symmetric, Term};
 use crate::scalar::Scalar;
-use crate::series::{ExpandLaw, Strain};
+use crate::series::{ExpandLaw, ExpandLoads, Strain};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
@@ -139,13 +139,15 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Articulate<Planar<
     }
 }
 
-impl<T: Scalar, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>> for Pin {
+impl<T: Scalar, A: ExpandLoads<Planar<T>, N, InJoint: Term<T>>, C: Closures, const N: usize>
+    Takes<Planar<T>, Push<Planar<T>, A, N, C>> for Pin
+{
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
+        Push { order, gaps, .. }: &mut Push<Planar<T>, A, N, C>,
         outer: Pushed<T>,
-        (((), room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
+        (((), room, columns), efforts, ()): Of<'_, Planar<T>, Push<Planar<T>, A, N, C>, Self>,
     ) -> Pushed<T> {
         let effort = order.among(efforts);
         let force = room.release(outer, |torque| effort.take_from(torque));
@@ -155,13 +157,15 @@ impl<T: Scalar, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<P
     }
 }
 
-impl<T: Scalar, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>> for Pin {
+impl<T: Scalar, A: ExpandLoads<Planar<T>, N>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, A, N, C>>
+    for Pin
+{
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Swing { forces, .. }: &mut Swing<Planar<T>, N, C>,
+        Swing { forces, .. }: &mut Swing<Planar<T>, A, N, C>,
         inboard: Swung<T>,
-        (((), room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
+        (((), room, columns), acceleration, ()): Of<'_, Planar<T>, Swing<Planar<T>, A, N, C>, Self>,
     ) -> Swung<T> {
         let (angular, swung) = room.swing::<C>(inboard, columns, forces);
         *acceleration = angular;
@@ -178,8 +182,8 @@ impl<T: Scalar, const N: usize> Takes<Planar<T>, Begin<N>> for Weld<T> {
 
 /// Walks that a weld hands on.
 macro_rules! welded {
-    ($([$($Q:ident)?] $Walk:ty: $Carried:ty),*) => {$(
-        impl<T: Scalar, $($Q: Part,)? C: Closures, const N: usize> Takes<Planar<T>, $Walk> for Weld<T> {
+    ($([$($A:ident)?] $Walk:ty: $Carried:ty),*) => {$(
+        impl<T: Scalar, $($A: ExpandLoads<Planar<T>, N>,)? C: Closures, const N: usize> Takes<Planar<T>, $Walk> for Weld<T> {
             #[inline(always)]
             fn take(&self, _: &mut $Walk, carried: $Carried, _: Of<'_, Planar<T>, $Walk, Self>) -> $Carried {
                 carried
@@ -189,8 +193,8 @@ macro_rules! welded {
 }
 welded!(
     [] Articulate<Planar<T>, N, C>: Articulated<T>,
-    [Q] Push<Planar<T>, Q, N, C>: Pushed<T>,
-    [] Swing<Planar<T>, N, C>: Swung<T>
+    [A] Push<Planar<T>, A, N, C>: Pushed<T>,
+    [A] Swing<Planar<T>, A, N, C>: Swung<T>
 );
 
 impl<T: Scalar, L: ExpandLaw<T, N>, const N: usize> Takes<Planar<T>, Begin<N>> for ElasticHinge<L> {
@@ -220,15 +224,15 @@ impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>
     }
 }
 
-impl<T: Scalar, L: ExpandLaw<T, N>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
-    for ElasticHinge<L>
+impl<T: Scalar, L: ExpandLaw<T, N>, A: ExpandLoads<Planar<T>, N, InJoint: Term<T>>, C: Closures, const N: usize>
+    Takes<Planar<T>, Push<Planar<T>, A, N, C>> for ElasticHinge<L>
 {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
+        Push { order, gaps, .. }: &mut Push<Planar<T>, A, N, C>,
         outer: Pushed<T>,
-        (((), room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
+        (((), room, columns), efforts, ()): Of<'_, Planar<T>, Push<Planar<T>, A, N, C>, Self>,
     ) -> Pushed<T> {
         let torque = order.among(efforts).add_to(room.strain.effort);
         let force = room.release(outer, |known| known - torque);
@@ -237,15 +241,15 @@ impl<T: Scalar, L: ExpandLaw<T, N>, Q: Term<T>, C: Closures, const N: usize> Tak
     }
 }
 
-impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
-    for ElasticHinge<L>
+impl<T: Scalar, L: ExpandLaw<T, N>, A: ExpandLoads<Planar<T>, N>, C: Closures, const N: usize>
+    Takes<Planar<T>, Swing<Planar<T>, A, N, C>> for ElasticHinge<L>
 {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Swing { order, forces }: &mut Swing<Planar<T>, N, C>,
+        Swing { order, forces, .. }: &mut Swing<Planar<T>, A, N, C>,
         inboard: Swung<T>,
-        (((), room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
+        (((), room, columns), acceleration, ()): Of<'_, Planar<T>, Swing<Planar<T>, A, N, C>, Self>,
     ) -> Swung<T> {
         let (angular, swung) = room.swing::<C>(inboard, columns, forces);
         *acceleration = angular - inboard.acceleration().angular;

@@ -3,6 +3,7 @@
 mod bodies;
 mod joints;
 mod loops;
+mod motion;
 mod products;
 mod slider;
 mod tips;
@@ -149,6 +150,14 @@ impl<T: Scalar> Expandable for Planar<T> {
     #[inline(always)]
     fn pushed(felt: Internal<T>) -> Pushed<T> {
         Pushed::Felt(felt)
+    }
+    #[inline(always)]
+    fn relieved(pushed: Pushed<T>, load: Internal<T>) -> Pushed<T> {
+        match pushed {
+            Pushed::None => Pushed::Felt(-load),
+            Pushed::Felt(felt) => Pushed::Felt(felt - load),
+            Pushed::Levered { known, force, lever } => Pushed::Levered { known: known - load, force, lever },
+        }
     }
     #[inline(always)]
     fn felt(pushed: Pushed<T>) -> Internal<T> {

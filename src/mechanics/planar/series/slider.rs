@@ -9,7 +9,7 @@ use crate::mechanics::planar::{Acceleration, Internal, Planar, Slider, Turn};
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Closures, Symmetric, Term};
 use crate::scalar::Scalar;
-use crate::series::ExpandLaw;
+use crate::series::{ExpandLaw, ExpandLoads};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector2;
@@ -78,15 +78,15 @@ impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>
     }
 }
 
-impl<T: Scalar, L: ExpandLaw<T, N>, Q: Term<T>, C: Closures, const N: usize> Takes<Planar<T>, Push<Planar<T>, Q, N, C>>
-    for Slider<T, L>
+impl<T: Scalar, L: ExpandLaw<T, N>, A: ExpandLoads<Planar<T>, N, InJoint: Term<T>>, C: Closures, const N: usize>
+    Takes<Planar<T>, Push<Planar<T>, A, N, C>> for Slider<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Push { order, gaps, .. }: &mut Push<Planar<T>, Q, N, C>,
+        Push { order, gaps, .. }: &mut Push<Planar<T>, A, N, C>,
         outer: Pushed<T>,
-        (([line, arm], room, columns), efforts): Of<'_, Planar<T>, Push<Planar<T>, Q, N, C>, Self>,
+        (([line, arm], room, columns), efforts, ()): Of<'_, Planar<T>, Push<Planar<T>, A, N, C>, Self>,
     ) -> Pushed<T> {
         let outer = outer.felt();
         let [x, y, along, more] = line.products.of(order.k);
@@ -109,15 +109,15 @@ impl<T: Scalar, L: ExpandLaw<T, N>, Q: Term<T>, C: Closures, const N: usize> Tak
     }
 }
 
-impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Planar<T>, Swing<Planar<T>, N, C>>
-    for Slider<T, L>
+impl<T: Scalar, L: ExpandLaw<T, N>, A: ExpandLoads<Planar<T>, N>, C: Closures, const N: usize>
+    Takes<Planar<T>, Swing<Planar<T>, A, N, C>> for Slider<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Swing { order, forces }: &mut Swing<Planar<T>, N, C>,
+        Swing { order, forces, .. }: &mut Swing<Planar<T>, A, N, C>,
         inboard: Swung<T>,
-        ((axes, room, columns), acceleration): Of<'_, Planar<T>, Swing<Planar<T>, N, C>, Self>,
+        ((axes, room, columns), acceleration, ()): Of<'_, Planar<T>, Swing<Planar<T>, A, N, C>, Self>,
     ) -> Swung<T> {
         let (Acceleration { linear, angular }, [line, arm]) = (inboard.acceleration(), &*axes);
         let known = pulled::<T, C>(line.known, columns, forces);

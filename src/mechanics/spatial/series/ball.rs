@@ -19,6 +19,7 @@ use crate::relation::spatial::algebra::{add_scaled, cross_onto, dot, zero};
 use crate::relation::spatial::{Full, Gain};
 use crate::relation::{Absent, Closures};
 use crate::scalar::Scalar;
+use crate::series::ExpandLoads;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
@@ -100,13 +101,15 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatia
     }
 }
 
-impl<T: Scalar, Q: Applied<T>, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for Ball {
+impl<T: Scalar, A: ExpandLoads<Spatial<T>, N, InJoint: Applied<T>>, C: Closures, const N: usize>
+    Takes<Spatial<T>, Push<Spatial<T>, A, N, C>> for Ball
+{
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
+        Push { order, gaps, .. }: &mut Push<Spatial<T>, A, N, C>,
         outer: Internal<T>,
-        ((axes, room, rows), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N, C>, Self>,
+        ((axes, room, rows), efforts, ()): Of<'_, Spatial<T>, Push<Spatial<T>, A, N, C>, Self>,
     ) -> Internal<T> {
         let [x, y, z] = axes.spread(order.k);
         let (half, quarter) = (T::literal(0.5), T::literal(-0.25));
@@ -130,13 +133,15 @@ impl<T: Scalar, Q: Applied<T>, C: Closures, const N: usize> Takes<Spatial<T>, Pu
     }
 }
 
-impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for Ball {
+impl<T: Scalar, A: ExpandLoads<Spatial<T>, N>, C: Closures, const N: usize>
+    Takes<Spatial<T>, Swing<Spatial<T>, A, N, C>> for Ball
+{
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,
+        Swing { order, forces, .. }: &mut Swing<Spatial<T>, A, N, C>,
         inboard: Swung<T>,
-        ((axes, room, rows), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
+        ((axes, room, rows), acceleration, ()): Of<'_, Spatial<T>, Swing<Spatial<T>, A, N, C>, Self>,
     ) -> Swung<T> {
         let mut angular = match inboard {
             Swung::At(Acceleration { linear, .. }) => room.gain.angular(linear, &()),

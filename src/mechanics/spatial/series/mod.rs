@@ -16,6 +16,7 @@
 
 mod ball;
 mod loops;
+mod motion;
 mod prismatic;
 mod products;
 mod revolute;
@@ -156,6 +157,10 @@ impl<T: Scalar> Expandable for Spatial<T> {
     #[inline(always)]
     fn pushed(felt: Internal<T>) -> Internal<T> {
         felt
+    }
+    #[inline(always)]
+    fn relieved(pushed: Internal<T>, load: Internal<T>) -> Internal<T> {
+        pushed - load
     }
     #[inline(always)]
     fn felt(pushed: Internal<T>) -> Internal<T> {

@@ -14,12 +14,12 @@ use super::products::{row, vector};
 use super::rods::scaled;
 use super::{AxesSeries, Swung, parted, pulled};
 use crate::mechanics::spatial::axial::Axial;
-use crate::mechanics::spatial::{Acceleration, Internal, Prismatic, Spatial};
+use crate::mechanics::spatial::{Acceleration, Drive, Internal, Prismatic, Spatial};
 use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot, zero};
 use crate::relation::spatial::{Full, Pivot, Relation};
 use crate::relation::{Absent, Closures, Symmetric, Way};
 use crate::scalar::Scalar;
-use crate::series::ExpandLaw;
+use crate::series::{ExpandLaw, ExpandLoads};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
@@ -81,15 +81,15 @@ impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T
     }
 }
 
-impl<T: Scalar, L: ExpandLaw<T, N>, Q: Applied<T>, C: Closures, const N: usize>
-    Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for Prismatic<T, L>
+impl<T: Scalar, L: ExpandLaw<T, N>, A: ExpandLoads<Spatial<T>, N, InJoint: Applied<T>>, C: Closures, const N: usize>
+    Takes<Spatial<T>, Push<Spatial<T>, A, N, C>> for Prismatic<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
+        Push { order, gaps, .. }: &mut Push<Spatial<T>, A, N, C>,
         outer: Internal<T>,
-        ((axes, room, columns), efforts): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N, C>, Self>,
+        ((axes, room, columns), efforts, ()): Of<'_, Spatial<T>, Push<Spatial<T>, A, N, C>, Self>,
     ) -> Internal<T> {
         let ([x, y, z], moment) = axes.slid(order.k);
         let [axis, arm, _] = axes.axes.map(vector);
@@ -110,15 +110,15 @@ impl<T: Scalar, L: ExpandLaw<T, N>, Q: Applied<T>, C: Closures, const N: usize>
     }
 }
 
-impl<T: Scalar, L: ExpandLaw<T, N>, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>>
-    for Prismatic<T, L>
+impl<T: Scalar, L: ExpandLaw<T, N>, A: ExpandLoads<Spatial<T>, N>, C: Closures, const N: usize>
+    Takes<Spatial<T>, Swing<Spatial<T>, A, N, C>> for Prismatic<T, L>
 {
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Swing { order, forces }: &mut Swing<Spatial<T>, N, C>,
+        Swing { order, forces, .. }: &mut Swing<Spatial<T>, A, N, C>,
         inboard: Swung<T>,
-        ((axes, room, columns), acceleration): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
+        ((axes, room, columns), acceleration, ()): Of<'_, Spatial<T>, Swing<Spatial<T>, A, N, C>, Self>,
     ) -> Swung<T> {
         let inboard = inboard.acceleration();
         let ([axis, arm, _], angular) = (axes.axes.map(vector), inboard.angular);

@@ -15,8 +15,9 @@ use super::{AxesSeries, Swung, parted, pulled};
 use crate::mechanics::spatial::{Acceleration, Internal, RigidBody, Spatial};
 use crate::relation::spatial::Full;
 use crate::relation::spatial::algebra::{Columns, Symmetric3, cross, cross_onto, dot, zero};
-use crate::relation::{Closures, Part, Relation, Symmetric};
+use crate::relation::{Closures, Relation, Symmetric};
 use crate::scalar::{Real, Scalar};
+use crate::series::{Borne, ExpandLoads};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
@@ -95,38 +96,38 @@ impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Articulate<Spatia
     }
 }
 
-impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for RigidBody<T> {
+impl<T: Scalar, A: ExpandLoads<Spatial<T>, N>, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, A, N, C>>
+    for RigidBody<T>
+{
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Push { order, gaps, .. }: &mut Push<Spatial<T>, Q, N, C>,
+        Push { order, gaps, .. }: &mut Push<Spatial<T>, A, N, C>,
         outer: Internal<T>,
-        ((room, (), columns), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N, C>, Self>,
+        ((room, (), columns), (), load): Of<'_, Spatial<T>, Push<Spatial<T>, A, N, C>, Self>,
     ) -> Internal<T> {
         let [curls, moment] = curl(room.known(order.k), (&room.axes, &room.moments), order.next);
         let arm = combined(&curls, self.outboard());
         *gaps = C::zip(gaps, columns, |gap, w| gap - dot(w.force, arm));
         let moment = combined(&moment, [T::one(); 3]) + outer.torque;
         (room.curls, room.force) = (curls, room.linear.apply_onto(arm, outer.force));
-        Internal {
-            force: room.force + combined(&curls, self.moment),
-            torque: cross_onto(
-                combined(&room.axes, self.outboard()),
-                outer.force,
-                room.coupling.transposed_onto(arm, moment),
-            ),
-        }
+        let lever = combined(&room.axes, self.outboard());
+        let torque = cross_onto(lever, outer.force, room.coupling.transposed_onto(arm, moment));
+        load.relieve(order, Internal { force: room.force + combined(&curls, self.moment), torque })
     }
 }
 
-impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for RigidBody<T> {
+impl<T: Scalar, A: ExpandLoads<Spatial<T>, N>, C: Closures, const N: usize>
+    Takes<Spatial<T>, Swing<Spatial<T>, A, N, C>> for RigidBody<T>
+{
     #[cfg_attr(optimised, inline(always))]
     fn take(
         &self,
-        Swing { order, forces: by }: &mut Swing<Spatial<T>, N, C>,
+        Swing { order, forces: by, .. }: &mut Swing<Spatial<T>, A, N, C>,
         inboard: Swung<T>,
-        ((room, (), columns), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
+        ((room, (), columns), (), load): Of<'_, Spatial<T>, Swing<Spatial<T>, A, N, C>, Self>,
     ) -> Swung<T> {
+        load.note(order, inboard);
         let Acceleration { linear, angular } = inboard.acceleration();
         let force = room.pulled(inboard, pulled::<T, C>(room.force, columns, by));
         let [turned, forces] = swing((&room.axes, &room.moments, &room.curls), angular, (&room.shares, force, linear));

@@ -15,8 +15,9 @@ use crate::mechanics::spatial::body::{Body, Pose};
 use crate::mechanics::spatial::{Acceleration, Internal, PointMass, Rod, Spatial};
 use crate::relation::spatial::Full;
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, dot, zero};
-use crate::relation::{Closures, Geometry, Part, Symmetric};
+use crate::relation::{Closures, Geometry, Symmetric};
 use crate::scalar::Scalar;
+use crate::series::{Borne, ExpandLoads};
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
@@ -86,13 +87,13 @@ macro_rules! rods {
                 parted(full, cuts)
             }
         }
-        impl<T: Scalar, Q: Part, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, Q, N, C>> for $Body<T> {
+        impl<T: Scalar, A: ExpandLoads<Spatial<T>, N>, C: Closures, const N: usize> Takes<Spatial<T>, Push<Spatial<T>, A, N, C>> for $Body<T> {
             #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
-                walk: &mut Push<Spatial<T>, Q, N, C>,
+                walk: &mut Push<Spatial<T>, A, N, C>,
                 outer: Internal<T>,
-                ((room, (), columns), ()): Of<'_, Spatial<T>, Push<Spatial<T>, Q, N, C>, Self>,
+                ((room, (), columns), (), load): Of<'_, Spatial<T>, Push<Spatial<T>, A, N, C>, Self>,
             ) -> Internal<T> {
                 let Push { order, gaps, .. } = walk;
                 let sums = room.swept(order.k);
@@ -101,18 +102,19 @@ macro_rules! rods {
                 let known = room.coupling.transposed_onto(curl, crossed(&sums, 0)) + outer.torque;
                 let force = room.linear.apply_onto(curl, outer.force);
                 (room.curls[0], room.force) = (row(curl), add_scaled(force, -self.excess(), curl));
-                Internal { force, torque: cross_onto(vector(room.axes[0]), outer.force, known) }
+                load.relieve(order, Internal { force, torque: cross_onto(vector(room.axes[0]), outer.force, known) })
             }
         }
-        impl<T: Scalar, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, N, C>> for $Body<T> {
+        impl<T: Scalar, A: ExpandLoads<Spatial<T>, N>, C: Closures, const N: usize> Takes<Spatial<T>, Swing<Spatial<T>, A, N, C>> for $Body<T> {
             #[cfg_attr(optimised, inline(always))]
             fn take(
                 &self,
-                walk: &mut Swing<Spatial<T>, N, C>,
+                walk: &mut Swing<Spatial<T>, A, N, C>,
                 inboard: Swung<T>,
-                ((room, (), columns), ()): Of<'_, Spatial<T>, Swing<Spatial<T>, N, C>, Self>,
+                ((room, (), columns), (), load): Of<'_, Spatial<T>, Swing<Spatial<T>, A, N, C>, Self>,
             ) -> Swung<T> {
-                let Swing { order, forces } = walk;
+                let Swing { order, forces, .. } = walk;
+                load.note(order, inboard);
                 let Acceleration { linear, angular } = inboard.acceleration();
                 let turned = cross_onto(angular, vector(room.axes[0]), vector(room.curls[0]));
                 let force = room.pulled(inboard, pulled::<T, C>(room.force, columns, forces));

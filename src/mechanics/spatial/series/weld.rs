@@ -2,9 +2,10 @@
 
 use super::Swung;
 use crate::mechanics::spatial::{Internal, Spatial, Weld};
+use crate::relation::Closures;
 use crate::relation::spatial::Full;
-use crate::relation::{Closures, Part};
 use crate::scalar::Scalar;
+use crate::series::ExpandLoads;
 use crate::shape::{Of, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Swing};
 use nalgebra::Vector3;
@@ -17,8 +18,8 @@ impl<T: Scalar, const N: usize> Takes<Spatial<T>, Begin<N>> for Weld<T> {
 }
 
 macro_rules! welded {
-    ($([$($Q:ident)?] $Walk:ty: $Carried:ty),*) => {$(
-        impl<T: Scalar, $($Q: Part,)? C: Closures, const N: usize> Takes<Spatial<T>, $Walk> for Weld<T> {
+    ($([$($A:ident)?] $Walk:ty: $Carried:ty),*) => {$(
+        impl<T: Scalar, $($A: ExpandLoads<Spatial<T>, N>,)? C: Closures, const N: usize> Takes<Spatial<T>, $Walk> for Weld<T> {
             #[inline(always)]
             fn take(&self, _: &mut $Walk, carried: $Carried, _: Of<'_, Spatial<T>, $Walk, Self>) -> $Carried {
                 carried
@@ -28,6 +29,6 @@ macro_rules! welded {
 }
 welded!(
     [] Articulate<Spatial<T>, N, C>: Full<T>,
-    [Q] Push<Spatial<T>, Q, N, C>: Internal<T>,
-    [] Swing<Spatial<T>, N, C>: Swung<T>
+    [A] Push<Spatial<T>, A, N, C>: Internal<T>,
+    [A] Swing<Spatial<T>, A, N, C>: Swung<T>
 );
