@@ -57,13 +57,15 @@ pub struct Guarded<J, G, L = Absent> {
     law: L,
 }
 
-impl<J, G, L> Guarded<J, G, L> {
-    /// With a spring, a damper or a law along the coordinate.
+impl<J, G> Guarded<J, G> {
+    /// With a spring, a damper or a law along the coordinate, or several as a tuple.
     pub fn with<M>(self, law: M) -> Guarded<J, G, M> {
         let Self { joint, guard, .. } = self;
         Guarded { joint, guard, law }
     }
+}
 
+impl<J, G, L> Guarded<J, G, L> {
     /// The joint inside.
     pub(crate) fn joint(&self) -> &J {
         &self.joint

@@ -46,6 +46,15 @@ impl Mode {
         Self::of(-friction)
     }
 
+    /// The mode of a joint that slips, the other way.
+    pub(crate) fn turned_round(self) -> Self {
+        match self {
+            Self::SlipsForward => Self::SlipsBack,
+            Self::SlipsBack => Self::SlipsForward,
+            other => other,
+        }
+    }
+
     /// The sign of the rate, of a joint that slips.
     pub(crate) fn sign<T: Scalar>(self) -> T {
         match self {

@@ -226,14 +226,16 @@ fn approach<T: Scalar>((mode, rate, told): (Mode, T, Told<T>), size: f64) -> [Ne
 
 /// Where a cubic between two ends is least within, if it is next to nothing or less there, beside the ends.
 fn lowest<R: Real>([from, down]: Near, [to, up]: Near) -> Option<f64> {
-    // What has just begun to move is at zero but for rounding.
-    if !(down < 0.0 && up > 0.0 && from > BEGUN * (up - down) && to.is_finite()) {
+    if !(up > 0.0 && to.is_finite() && from.is_finite()) {
         return None;
     }
     let (square, cube) = (3.0 * (to - from) - 2.0 * down - up, 2.0 * (from - to) + down + up);
     // 3 c θ² + 2 b θ + down = 0, where it rises.
     let root = Elementary::sqrt(R::of(square * square - 3.0 * cube * down)).as_f64();
-    let theta = -down / (square + root);
+    let theta = if square > 0.0 { -down / (square + root) } else { (root - square) / (3.0 * cube) };
     let value = from + theta * (down + theta * (square + theta * cube));
-    (theta > 0.0 && theta < 1.0 && value < NEXT_TO * from.max(to)).then_some(theta)
+    // What has just begun to move is at zero but for rounding, and so is what is least just then.
+    let nothing = BEGUN * (up + if down < 0.0 { -down } else { down });
+    let most = if from > nothing { NEXT_TO * from.max(to) } else { -nothing };
+    (theta > 0.0 && theta < 1.0 && value < most).then_some(theta)
 }

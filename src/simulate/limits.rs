@@ -52,7 +52,8 @@ pub(crate) fn check<R: Real>(
     Ok(())
 }
 
-fn at_least(parameter: &'static str, value: f64, least: f64, outside: &'static str) -> Result<(), Error> {
+/// Refuses a number below a least one.
+pub(super) fn at_least(parameter: &'static str, value: f64, least: f64, outside: &'static str) -> Result<(), Error> {
     if value >= least {
         return Ok(());
     }

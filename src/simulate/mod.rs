@@ -16,7 +16,9 @@ pub(crate) mod limits;
 mod locate;
 mod margin;
 mod now;
+mod prescribed;
 mod saved;
+mod shock;
 mod shown;
 mod strike;
 mod switch;
@@ -170,13 +172,15 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 }
 
-impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Simulation<'a, S, R, C, P, L, M, E> {
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, M, E> Simulation<'a, S, R, C, P, Unloaded, M, E> {
     /// Under these loads.
     pub fn loads<N: Loading<S>>(self, loads: &'a N) -> Simulation<'a, S, R, C, P, N, M, E> {
         let Self { system, rule, every, longest, event, stop, .. } = self;
         Simulation { system, loads, rule, every, longest, event, stop }
     }
+}
 
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Simulation<'a, S, R, C, P, L, M, E> {
     /// Shown at multiples of an interval (s) from the start, by dense output, instead of at every step.
     #[must_use]
     pub fn every(self, interval: RealOf<S>) -> Self {
@@ -216,8 +220,8 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
     }
 }
 
-impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E, K>
-    Simulation<'a, S, R, C, P, L, M, Watched<E, K>>
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, K>
+    Simulation<'a, S, R, C, P, L, M, Watched<Unwatched, K>>
 {
     /// Also shown where a function of the motion crosses zero, once a step, past the first sixteenth where it begins at one. A run that begins
     /// at a zero but for rounding, as where an event has ended another, does not find that one. Not over lanes.
@@ -229,7 +233,11 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E, K>
         let event = Watched { event: Event(function), kinks };
         Simulation { system, loads, rule, every, longest, event, stop }
     }
+}
 
+impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E>
+    Simulation<'a, S, R, C, P, L, M, Watched<E, Unwatched>>
+{
     /// With steps that end where one of several functions of the motion crosses zero, the earliest first, and begin anew there: where a load has a
     /// kink. A rule keeps its order across it, error control does not hunt for it, and rules that remember steps forget them.
     ///

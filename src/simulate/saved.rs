@@ -4,7 +4,7 @@
 mod data;
 
 use super::drive::Running;
-use super::limits::MOST;
+use super::limits::{MOST, at_least};
 use super::now::settled;
 use super::trials::Trials;
 use super::{EventFunction, Interrupted, Now, Run, Simulation};
@@ -69,8 +69,9 @@ impl<R: Real> Progress<R> {
     pub(super) fn fit(&mut self, time: R, control: Control<R>, every: Option<R>) -> Result<(), Error> {
         let Self { start, mark, size, samples, steps, rejected, sweeps, .. } = self;
         let counts = [mark.1, *samples, *steps, *rejected, *sweeps].iter().all(|count| *count <= usize::MAX / 2);
-        let times = [*start, mark.0, *size].iter().all(|time| time.is_finite()) && *size >= R::zero() && *start <= time;
+        let times = [*start, mark.0, *size].iter().all(|time| time.is_finite()) && *size >= R::zero();
         ensure_finite(counts && times && self.trials.is_sound(), "progress of a run")?;
+        at_least("time of a saved run", time.as_f64(), start.as_f64(), "it lies before the start")?;
         let count = |n: usize| R::of(n as f64);
         if let Control::Fixed(dt) = control {
             // A last step may have been cut to its end.

@@ -13,8 +13,10 @@ use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, RateOf, Runs, System};
 use num_traits::{One, Zero};
 
-/// Blows at one instant after which stops give nothing back, and before it is clear that they do not end.
-const BLOWS: [usize; 2] = [256, 10_000];
+/// Blows at one instant after which joints that touch their stops are brought to rest at once.
+const BLOWS: usize = 256;
+/// Rebounds at one instant that rise no higher than what touches, before it is clear that they do not end.
+const REBOUNDS: usize = 10_000;
 /// Up to so many roundings of the largest rate before a shock, and what touches once a second, the rate of a joint at its stop is none.
 const ROUNDINGS: f64 = 64.0;
 
@@ -38,7 +40,7 @@ where
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
     /// Changes rates until no joint that touches its stop moves into it, and finds the modes that follow. Joints that strike at one instant do so
-    /// one after another, the fastest first. No finite force bears a shock, so that what sticks or rests moves meanwhile.
+    /// one after another, the fastest first, as long as they are few; then all [at once](Self::hold_back). No finite force bears a shock, so that what sticks or rests moves meanwhile.
     pub(super) fn strike(&mut self) -> Result<(), Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, next) = (Dynamics::<L>::workspace(system), &mut self.next);
@@ -49,10 +51,12 @@ where
         self.stand();
         let rounding = largest * RealOf::<S>::EPSILON.as_f64() * ROUNDINGS;
         let still = rounding.max(Mode::touch::<RealOf<S>>().as_f64());
-        for count in 0..BLOWS[1] {
+        let mut joint = 0;
+        // The last one after that has nothing to do but for joints that are still.
+        for count in 0..BLOWS + 2 {
             let next = &mut self.next;
             system.accelerate(next, loads, &mut workspace)?;
-            let Some(mut blow) = Self::fastest(next, still) else {
+            let Some(blow) = Self::fastest(next, still) else {
                 next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
                     let rests = touched(*mode, &told).filter(|_| told.rubs && rate.real().is_zero());
                     *mode = rests.map_or(Mode::at(*rate, told.rubs), Mode::resting);
@@ -60,13 +64,14 @@ where
                 self.settle_modes(None)?;
                 return self.end_rebounds();
             };
-            if count >= BLOWS[0] {
-                blow.restitution = S::Scalar::zero();
+            joint = blow.joint;
+            if count < BLOWS {
+                self.give(&blow)?;
+            } else if !self.hold_back(still)? {
+                break;
             }
-            self.give(&blow)?;
         }
-        let (joint, time) = (0, self.next.time);
-        Err(inconsistent(joint, time))
+        Err(inconsistent(joint, self.next.time))
     }
 
     /// Refuses a motion with a joint beyond its stop.
@@ -104,7 +109,7 @@ where
     /// Ends rebounds that rise no higher than what touches, now that it is known what rests and by how much others are pressed.
     fn end_rebounds(&mut self) -> Result<(), Error> {
         let mut joint = 0;
-        for _ in 0..BLOWS[1] {
+        for _ in 0..REBOUNDS {
             let Some(blow) = Self::lowest(&mut self.next) else { return Ok(()) };
             joint = blow.joint;
             self.give(&blow)?;

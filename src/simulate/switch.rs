@@ -42,9 +42,12 @@ where
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, mut loosened) = (Dynamics::<L>::workspace(system), false);
         while let Err(error) = system.accelerate(&mut self.next, loads, &mut workspace) {
+            let overlocked = Self::MODES && matches!(error.fault, Fault::RedundantClosures { .. });
+            if overlocked && self.slip_as_prescribed() {
+                continue;
+            }
             let next = &mut self.next;
-            let overlocked = K::SWITCHES && matches!(error.fault, Fault::RedundantClosures { .. });
-            if !(overlocked && let_last_go(&mut next.position, &mut next.rate, &next.acceleration)) {
+            if !(overlocked && K::SWITCHES && let_last_go(&mut next.position, &mut next.rate, &next.acceleration)) {
                 return Err(self.overlocked(error));
             }
             loosened = true;
@@ -78,6 +81,17 @@ where
             count += 1;
         });
         found
+    }
+
+    /// Has a joint do something else.
+    pub(super) fn set_mode(&mut self, joint: usize, to: Mode) {
+        let (next, mut count) = (&mut self.next, 0);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, _| {
+            if count == joint {
+                *mode = to;
+            }
+            count += 1;
+        });
     }
 
     /// Changes the mode of the joint that has ended the step, and of those that change with it; `pace` tells how fast the guard of a joint that does
@@ -138,13 +152,17 @@ where
     /// the joint first that it holds least; what leaves its stop does so, and what does not stays. One joint may have just changed its mode.
     pub(super) fn settle_modes(&mut self, changed: Option<usize>) -> Result<(), Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
-        let (mut workspace, next) = (Dynamics::<L>::workspace(system), &mut self.next);
-        let (mut least, mut changes) = (0, CHANGES);
+        let (mut workspace, mut least, mut changes) = (Dynamics::<L>::workspace(system), 0, CHANGES);
+        let next = &mut self.next;
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |_, _, _| changes += 1);
         for _ in 0..changes {
-            if let Err(error) = system.accelerate(next, loads, &mut workspace) {
+            if let Err(error) = system.accelerate(&mut self.next, loads, &mut workspace) {
+                if matches!(error.fault, Fault::RedundantClosures { .. }) && self.slip_as_prescribed() {
+                    continue;
+                }
                 return Err(self.overlocked(error));
             }
+            let next = &mut self.next;
             // Held least, or pushed back where it is about to move: by rounding alone, if another joint that breaks away too takes it along.
             let (mut worst, mut faint, mut count) = ((0.0, None), None, 0);
             let rounding = -Mode::reluctance::<RealOf<S>>().as_f64();
@@ -186,8 +204,7 @@ where
                 count += 1;
             });
         }
-        let time = next.time;
-        Err(inconsistent(least, time))
+        Err(inconsistent(least, self.next.time))
     }
 
     /// This error, which may be that too many joints stick where the next step begins.

@@ -363,7 +363,10 @@ fn what_is_no_joint_is_refused() -> Result<(), Error> {
         }};
     }
     assert!(matches!(fault!(-1.0, [0.0, 1.0], 0.5), Some(Fault::NotPositive { .. })));
-    assert!(matches!(fault!(1.0, [1.0, 1.0], 0.5), Some(Fault::OutOfRange { parameter: "upper hard stop", .. })));
+    assert!(matches!(
+        fault!(1.0, [1.0, 1.0], 0.5),
+        Some(Fault::NotPositive { parameter: "range between hard stops", .. })
+    ));
     assert!(matches!(fault!(1.0, [0.0, 1.0], 1.5), Some(Fault::OutOfRange { parameter: "restitution", .. })));
     assert!(fault!(1.0, [0.0, 1.0], 0.5).is_none());
     // Beyond its stop at the start; against its mode or beyond its stop in a step that changes none.

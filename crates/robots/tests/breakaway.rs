@@ -18,7 +18,7 @@ fn lists_of_torques_reach_joints_that_stick_and_slip() -> Result<(), Error> {
     let expected = smooth.with_accelerations(smooth.with_rates(smooth.motion(), &rates)?, &Torques([1.5, 1.0]))?;
     found.accelerations().iter().zip(expected.accelerations()).for_each(|(a, b)| near(*a, b, 1e-13));
     let short = rubbing.with_accelerations(rubbing.motion(), &Torques([2.0])).unwrap_err();
-    assert_eq!(short.fault, Fault::Count { expected: 2, given: 1 });
+    assert_eq!(short.fault, Fault::Count { list: "torques", expected: 2, given: 1 });
     // What is not finite is named, in a joint that sticks and beyond it.
     for (torques, place) in [([0.0, f64::NAN], Place::Station(2)), ([f64::NAN, 0.0], Place::Station(0))] {
         let error = rubbing.with_accelerations(rubbing.motion(), &Torques(torques)).unwrap_err();

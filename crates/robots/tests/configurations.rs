@@ -106,7 +106,7 @@ fn joints_go_where_differences_lead() -> Result<(), Error> {
     spoilt[2] = f64::NAN;
     assert_eq!(fault(scene.difference(&spoilt, &[0.0; 6])), Some(Fault::NonFiniteMotion));
     assert_eq!(fault(scene.integrate(&[0.0; 6], &spoilt)), Some(Fault::NonFiniteMotion));
-    let count = Some(Fault::Count { expected: 6, given: 2 });
+    let count = Some(Fault::Count { list: "numbers of joints", expected: 6, given: 2 });
     assert_eq!(scene.difference(&[0.0; 2], &[0.0; 2]).map_err(|error| error.fault).err(), count);
     Ok(())
 }

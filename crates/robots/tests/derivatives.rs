@@ -255,7 +255,7 @@ fn afloat() -> Result<(), Error> {
 fn lists_of_another_length_are_refused_by_robots_that_float() -> Result<(), catena::Error> {
     let scene = kit::floating()?;
     let place = Place { place: Vector3::zeros(), attitude: Columns::identity() };
-    let expected = catena::Fault::Count { expected: 5, given: 1 };
+    let expected = catena::Fault::Count { list: "numbers of joints", expected: 5, given: 1 };
     let none = [0.0; 6];
     let base = Afloat { place, velocity: Vector3::zeros(), spin: Vector3::zeros() };
     let refused = [

@@ -324,7 +324,7 @@ fn what_makes_no_run_with_stops_is_refused() -> Result<(), Error> {
     let body = RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]);
     let between = |range: [f64; 2]| HardStops::between(Slider::along(0.0), range);
     for (joint, parameter) in [
-        (between([1.0, 0.0]), "upper hard stop"),
+        (between([1.0, 0.0]), "range between hard stops"),
         (between([0.0, f64::NAN]), "hard stop"),
         (between([0.0, 1.0]).rebounding(1.5), "restitution"),
         (between([0.0, 1.0]).rebounding(-0.5), "restitution"),
@@ -334,6 +334,7 @@ fn what_makes_no_run_with_stops_is_refused() -> Result<(), Error> {
             Err(
                 Fault::OutOfRange { parameter, .. }
                 | Fault::NotFinite { parameter }
+                | Fault::NotPositive { parameter, .. }
                 | Fault::Negative { parameter, .. },
             ) => parameter,
             _ => "accepted",
@@ -423,5 +424,88 @@ fn random_arms_between_stops_never_gain_energy_nor_leave_their_ranges() -> Resul
     }
     println!("{steps} steps; {resting} of 120 joints rest");
     assert!(resting > 40);
+    Ok(())
+}
+
+/// A chain of rods (length, mass) between stops that give nothing back, all but the last at the lower ones, which the last strikes.
+fn struck(rods: &[[f64; 2]], rate: f64) -> Result<Run, Error> {
+    let link =
+        |[length, mass]: &[f64; 2]| (HardStops::between(Revolute::smooth(), [-0.3, 0.5]), Rod::uniform(*length, *mass));
+    let chain = System::new(Clamped::origin(), rods.iter().map(link).collect::<Vec<_>>(), Free)?;
+    let (mut start, count) = (chain.motion(), rods.len());
+    let (mut places, mut rates) = (vec![-0.3; count], vec![0.0; count]);
+    (places[count - 1], rates[count - 1]) = (0.0, rate);
+    start.set_coordinates(&places)?;
+    let start = chain.with_rates(start, &rates)?;
+    let (mut energy, mut last) = (vec![], f64::INFINITY);
+    let run = chain.simulation(Dop853::tolerance(1e-9)).run(start, 0.3, |now| {
+        energy.push(now.energy() <= last * (1.0 + 1e-9));
+        last = now.energy();
+    })?;
+    Ok(Run { rates: run.motion.rates(), places: run.motion.coordinates(), falls: energy.iter().all(|x| *x) })
+}
+
+/// Where a run ends, and whether energy has fallen.
+struct Run {
+    rates: Vec<f64>,
+    places: Vec<f64>,
+    falls: bool,
+}
+
+/// Blows one after another converge as the ratio of lengths allows: by 256 of them what a long rod does to a short one is not over.
+#[test]
+fn shocks_that_go_on_and_on_bring_to_rest_at_once() -> Result<(), Error> {
+    let short = [0.1, 1.0];
+    for ratio in [1.0, 5.0, 10.0, 20.0, 50.0, 200.0] {
+        let long = [0.1 * ratio, 1.0];
+        for rods in [&[short, long][..], &[short, short, long], &[short, long, short, long]] {
+            let run = struck(rods, -10.0)?;
+            println!("{ratio} times as long, {} joints: {:?}", rods.len(), run.rates);
+            assert!(run.rates.iter().all(|rate| *rate == 0.0), "{:?}", run.rates);
+            assert!(run.places.iter().all(|place| (place + 0.3).abs() < 1e-13) && run.falls);
+        }
+    }
+    for count in [4, 5, 6, 8, 12] {
+        let run = struck(&vec![[0.2, 1.0]; count], -10.0)?;
+        assert!(run.rates.iter().all(|rate| *rate == 0.0) && run.falls, "{count} joints: {:?}", run.rates);
+    }
+    // Upward it throws the chain off its stops, and strikes others.
+    let run = struck(&[short, [1.0, 1.0], short], 30.0)?;
+    assert!(run.falls && run.places.iter().all(|place| (-0.3 - 1e-13..=0.5 + 1e-13).contains(place)));
+    Ok(())
+}
+
+/// A joint that slips the faint way it was let go is turned round within a step, back again by its end: it had been beyond its stop.
+#[test]
+fn what_turns_round_twice_within_a_step_is_seen() -> Result<(), Error> {
+    let joint = |[sliding, breaking, restitution]: [f64; 3], range: [f64; 2]| {
+        Coulomb::new(Revolute::smooth(), sliding).breaking_away(breaking).between(range).rebounding(restitution)
+    };
+    const UPPER: f64 = 0.1359349497431922;
+    let chain = (
+        joint([1.4084175093031963, 1.8597198900565746, 0.2574707094085479], [-0.7305595850800726, 0.8027246735846666]),
+        Rod::uniform(0.22253382309187744, 1.6824986688880312),
+        joint([0.31010755767886167, 1.863410484415524, 0.8878601479244156], [-0.4382183374737516, 0.309285135512942]),
+        Rod::uniform(0.13657367870755252, 0.39419659623548703),
+        joint(
+            [0.4073524274202677, 1.7600191742795868, 0.36485690648357316],
+            [-0.5464863837254813, 0.13014476018777446],
+        ),
+        Rod::uniform(0.2548947442122079, 1.5929945840732083),
+        joint([0.6425340703530664, 1.7441952483307928, 0.04565570164803231], [-0.10984252754218807, UPPER]),
+        Rod::uniform(0.22311437760485012, 1.1169068825635902),
+    );
+    let arm = System::new(Clamped::origin(), chain, Free)?.with_gravity(GRAVITY);
+    let mut start = arm.motion();
+    start.set_coordinates(&[0.22008621605920375, -0.09077951459304173, -0.4978035260352621, 0.06705046396516517])?;
+    let rates = [-3.212489449054986, -2.265082787448538, -1.686914030231319, 0.569783075901249];
+    let start = arm.with_rates(start, &rates)?;
+    for tolerance in [1e-6, 1e-7, 1e-8, 1e-9] {
+        let mut beyond = f64::NEG_INFINITY;
+        arm.simulate(start, Dop853::tolerance(tolerance), 0.2, |now| {
+            beyond = beyond.max(now.motion().coordinates()[3] - UPPER);
+        })?;
+        assert!(beyond < 1e-13, "{tolerance:e}: {beyond:e}");
+    }
     Ok(())
 }

@@ -116,3 +116,58 @@ fn a_driven_crank_leads_a_loop() -> Result<(), Box<dyn std::error::Error>> {
     assert!(places < 1e-9 && torques < 1e-6);
     Ok(())
 }
+
+/// A crank-rocker whose crank goes as a function of time says, with friction in the other pins: what the drive does is what energy gains and
+/// friction takes, and pins turn round, which leaves nothing to stick.
+#[test]
+fn friction_turns_round_with_the_pins_of_a_driven_mechanism() -> Result<(), Box<dyn std::error::Error>> {
+    const FRICTION: f64 = 0.3;
+    let bar = |length: f64| Rod::uniform(length, 2.0 * length);
+    macro_rules! balance {
+        ($name:literal, $law:expr, $rule:expr, $small:expr) => {{
+            let law = $law;
+            let pin = || Coulomb::new(Revolute::smooth(), FRICTION);
+            let chain = (Driven::new(Revolute::smooth(), law), bar(0.2), pin(), bar(0.7), pin(), bar(0.5));
+            let scene = System::new(Clamped::origin(), chain, Pinned::at(0.8, 0.0))?.with_gravity(9.81);
+            let start = scene.assembled(scene.at_rest(&[0.7, -1.5])?, &Unloaded)?;
+            let (mut work, mut last, mut energies, mut turns) = (0.0, None, vec![], [0; 2]);
+            let mut signs = [0.0_f64; 2];
+            let run = scene.simulation($rule).every(1e-4).run(start, 2.0, |now| {
+                let turn: Vec<f64> = now.bodies().iter().map(|body| body.inboard.turn.rate).collect();
+                let rates = [turn[1] - turn[0], turn[2] - turn[1]];
+                for (k, rate) in rates.into_iter().enumerate() {
+                    turns[k] += usize::from(rate * signs[k] < 0.0);
+                    signs[k] = if rate == 0.0 { signs[k] } else { rate };
+                }
+                let torque = now.stations().get(0).map_or(f64::NAN, |station| -station.internal.torque);
+                let power = torque * turn[0] - FRICTION * (rates[0].abs() + rates[1].abs());
+                if let Some((time, before)) = last {
+                    work += 0.5 * (power + before) * (now.time() - time);
+                }
+                last = Some((now.time(), power));
+                energies.push(now.energy());
+            })?;
+            let gained = energies[energies.len() - 1] - energies[0];
+            println!("{}: {} steps, turns {turns:?}, work {work:.7}, gained {gained:.7}", $name, run.steps);
+            assert!((work - gained).abs() < $small && turns.iter().all(|turns| *turns > 0));
+            run.motion.coordinates()
+        }};
+    }
+    let steady = |t: f64| [0.5 + 4.0 * t, 4.0, 0.0];
+    let from_rest = |t: f64| [1.5 - (3.0 * t).cos(), 3.0 * (3.0 * t).sin(), 9.0 * (3.0 * t).cos()];
+    let ends = [
+        balance!("steady", steady, Dop853::tolerance(1e-10), 1e-6),
+        balance!("steady, SDIRK4", steady, Sdirk4::new().tolerance(1e-8), 1e-6),
+        balance!("steady, Moreau and Jean", steady, MoreauJean::step(1e-4), 1e-3),
+    ];
+    let others = [
+        balance!("from rest", from_rest, Dop853::tolerance(1e-10), 1e-6),
+        balance!("from rest, Moreau and Jean", from_rest, MoreauJean::step(1e-4), 1e-3),
+    ];
+    for ends in [&ends[..], &others] {
+        for end in ends {
+            assert!(end.iter().zip(&ends[0]).all(|(a, b)| (a - b).abs() < 1e-7), "{end:?}");
+        }
+    }
+    Ok(())
+}

@@ -15,6 +15,8 @@ const PATIENCE: usize = 3;
 /// together.
 const LOOSE: [usize; 2] = [8, 2];
 const PASSES: [usize; 2] = [64, 8];
+/// So often joints turn round, for each of them, before it is clear that not drives alone move them.
+const TURNS: usize = 2;
 /// A rate is that of rest by so many roundings, and, where others keep a joint that is let go at rest, by such a share: they do so by their
 /// accelerations, and closures miss their rates by a share of the step.
 const ROUNDINGS: f64 = 1e4;
@@ -28,12 +30,21 @@ pub(super) struct Pivoting {
     /// A rate is that of rest by this share of the largest one that any pass has seen, or change of one.
     still: f64,
     largest: f64,
+    /// Turns of joints that slip, once more were held than closures leave free to move.
+    turns: Option<usize>,
 }
 
 impl Pivoting {
     /// Before the first pass of a step.
     pub(super) fn new<R: Real>() -> Self {
-        Self { passes: 0, fewest: usize::MAX, patience: PATIENCE, still: ROUNDINGS * R::EPSILON.as_f64(), largest: 0.0 }
+        Self {
+            passes: 0,
+            fewest: usize::MAX,
+            patience: PATIENCE,
+            still: ROUNDINGS * R::EPSILON.as_f64(),
+            largest: 0.0,
+            turns: None,
+        }
     }
 
     /// Lets the last of the joints go that are held, where accelerations are no numbers: of more than closures leave free to move. It will
@@ -50,6 +61,7 @@ impl Pivoting {
             return false;
         }
         (self.patience, self.still) = (0, MISSED);
+        self.turns.get_or_insert(0);
         let_last_go(position, rate, found)
     }
 
@@ -95,12 +107,21 @@ impl Pivoting {
             return Err(first);
         }
         let (all, mut joint) = (self.patience > 0, 0);
+        let turning = self.turns.as_mut().filter(|turns| **turns < TURNS * joints);
+        // Where closures leave nothing free, friction halts nothing: what moves as drives say slips the way that it goes.
+        let turns = turning.is_some();
         position.each_mode(rate, found, &mut |mode, rate, told| {
             if all || joint == first {
-                *mode = changed(*mode, *rate, &told, (dt, still)).unwrap_or(*mode);
+                *mode = match changed(*mode, *rate, &told, (dt, still)) {
+                    Some(Mode::Halts) if turns => mode.turned_round(),
+                    other => other.unwrap_or(*mode),
+                };
             }
             joint += 1;
         });
+        if let Some(turns) = turning {
+            *turns += 1;
+        }
         Ok(false)
     }
 }
