@@ -1,6 +1,6 @@
 //! Motions closed by moving what the user did not fix.
 
-use super::hold::CORRECTIONS;
+use super::hold::{CORRECTIONS, shorten};
 use super::least_change::least_change;
 use super::linear::{numbers, set, unit};
 use super::{MotionOf, Runs, System, coordinates};
@@ -150,17 +150,14 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Moves the coordinates that are not held until residuals are nothing but rounding.
     fn close_places(&self, motion: &mut MotionOf<S, R, C, P>, held: &[bool]) -> Result<(), Error> {
         let (small, tiny) = Self::tolerances();
-        let share = RealOf::<S>::of(super::hold::SHARE);
         let mut step = motion.rate.clone();
         let mut last = RealOf::<S>::INFINITY;
         for pass in 0..CORRECTIONS {
             let Conditions { residuals, rows } = self.conditions(motion);
             let wanted: Vec<_> = residuals.iter().map(|[place, _]| -*place).collect();
             let change = least_change(rows, &wanted, held);
-            let most = change.iter().fold(RealOf::<S>::zero(), |most, x| most.max(x.real().abs()));
-            // Too far for a correction that is linear.
-            let factor = if most > share { share / most } else { RealOf::<S>::one() };
-            set(&mut step, change.into_iter().map(|x| x.scale(factor)));
+            set(&mut step, change.into_iter());
+            shorten(&mut step);
             let mut length = RealOf::<S>::zero();
             motion.position.measure(&step, &mut |x, size| {
                 length = length.max(x.real().abs() / size.real().max(RealOf::<S>::one()));

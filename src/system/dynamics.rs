@@ -63,11 +63,10 @@ pub trait Dynamics<L> {
     );
 
     /// A Newton step of assembly, shortened: moves a motion whose loops are far from closed as [`project`](Self::project) does, but no
-    /// coordinate by more than a share (rad, m).
+    /// coordinate by more than 0.3 (rad, m).
     fn assembly_step(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
-        share: <Self::Scalar as Scalar>::Real,
         workspace: &mut Self::Workspace,
     );
 

@@ -13,7 +13,7 @@ use num_traits::{One, Zero};
 /// Corrections of a guess before it counts as one that leads nowhere.
 pub(super) const CORRECTIONS: usize = 60;
 /// The longest correction of a coordinate (rad, m) at once.
-pub(super) const SHARE: f64 = 0.3;
+const SHARE: f64 = 0.3;
 /// The longest correction of a coordinate (rad, m) that a run may begin with.
 const NEAR: f64 = 0.1;
 /// The share of it that the next one has at most.
@@ -25,8 +25,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// scene with neither is left as it is, but for its accelerations. What must not move is held by
     /// [`assembled_holding`](Self::assembled_holding), which also tells what did (feature `alloc`). A straight chain or loop cannot tell where to bend: bend it.
     ///
-    /// Corrections from afar (a coordinate by more than 0.3 rad or m) are cut short by a factor that has no derivative, and over lanes by
-    /// that of the worst one.
+    /// Corrections from afar (a coordinate by more than 0.3 rad or m) are cut short, over lanes each by itself. Which of them are is decided by all
+    /// lanes together: from afar one of them may find another start than it would alone, where several are next to the guess.
     ///
     /// ```
     /// use catena::loading::Unloaded;
@@ -94,6 +94,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let outcome = self.close(motion, loads, workspace);
         motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| *mode = Mode::numbered(*kept));
         outcome?;
+        let accelerated = self.accelerate(motion, loads, workspace);
+        if !matches!(accelerated, Err(Error { fault: Fault::RedundantClosures { .. }, .. })) {
+            return accelerated;
+        }
+        // More joints stick than closures leave free to move: what they do is for the run to find.
+        let_all_go(&mut motion.position, &mut modes, &motion.acceleration);
         self.accelerate(motion, loads, workspace)
     }
 
@@ -123,7 +129,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 if const { L::COUPLED } {
                     self.accelerate(motion, loads, workspace)?; // the gains of where it is
                 }
-                self.assembly_step(motion, real(SHARE), workspace);
+                self.assembly_step(motion, workspace);
             } else {
                 self.approach(motion);
             }
@@ -245,15 +251,22 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             pairs = P::Closures::minus_outer(&pairs, &lever, &lever);
         }
         let pull = P::Closures::solve(&pairs, &place);
-        let (mut step, mut j, mut most) = (motion.rate.clone(), 0, RealOf::<S>::zero());
+        let (mut step, mut j) = (motion.rate.clone(), 0);
         step.replace(&mut |_| {
             let x = P::Closures::plus_dot(S::Scalar::zero(), &lever(j), &pull);
             j += 1;
-            most = most.max(x.real().abs());
             x
         });
-        let share = RealOf::<S>::one().min(RealOf::<S>::of(SHARE) / most);
-        step.replace(&mut |x| x.scale(share));
+        shorten(&mut step);
         motion.position.displace(&step);
     }
+}
+
+/// Makes a correction that is too far for one which is linear as long as one may be, with the derivatives of that, and each lane by itself.
+pub(super) fn shorten<T: Scalar>(step: &mut impl Rate<T>) {
+    let share = T::constant(T::Real::of(SHARE));
+    let mut most = share;
+    step.visit(&mut |x| most = (x.abs() - most).if_negative(most, x.abs()));
+    let factor = share / most;
+    step.replace(&mut |x| x * factor);
 }

@@ -58,10 +58,9 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     fn assembly_step(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
-        share: <Self::Scalar as Scalar>::Real,
         workspace: &mut Self::Workspace,
     ) {
-        D::assembly_step(self, motion, share, workspace)
+        D::assembly_step(self, motion, workspace)
     }
 
     #[inline]

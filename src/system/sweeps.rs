@@ -1,6 +1,7 @@
 //! The sweeps of a scene, and what went wrong where.
 
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
+use super::hold::shorten;
 use crate::element::{
     Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space, Sweep,
     Watch,
@@ -72,14 +73,12 @@ where
         self.project_by(motion, Explicit, loads, workspace);
     }
 
-    fn assembly_step(&self, motion: &mut MotionOf<S, R, C, P>, share: RealOf<S>, workspace: &mut Self::Workspace) {
+    fn assembly_step(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::Workspace) {
         let [place, _] = self.residual(motion);
         let ground = self.root.ground(motion.time);
         if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
             let mut step = step.clone();
-            let mut most = share;
-            step.visit(&mut |x| most = x.real().abs().max(most));
-            step.replace(&mut |x| x.scale(share / most));
+            shorten(&mut step);
             motion.position.displace(&step);
         }
     }

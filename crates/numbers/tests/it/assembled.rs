@@ -37,6 +37,63 @@ fn assembled<T: Scalar>(crank: T, rate: T) -> Result<[Vec<T>; 2], Error> {
     Ok([scene.angles(&start.motion)?.iter().copied().collect(), rates])
 }
 
+/// From afar corrections are cut short: derivatives of where they lead are those of all of them, by lengths and by the guess.
+#[test]
+fn derivatives_and_lanes_lead_from_afar() -> Result<(), Error> {
+    /// The crank's length 0.3 m and its angle in the guess are more by two numbers.
+    fn held<T: Scalar<Real = f64>>([length, angle]: [T; 2], guess: [f64; 3]) -> Result<Vec<T>, Error> {
+        let n = T::literal;
+        let chain = (rod(n(0.3) + length), Pin, rod(n(0.9)), Pin, rod(n(0.6)));
+        let scene = System::new(Pinned::origin(), chain, Pinned::at(n(0.8), n(0.0)))?.with_gravity(n(9.81));
+        let [a, b, c] = guess.map(n);
+        Ok(scene.assembled(scene.at_rest(&[a + angle, b, c])?, &Unloaded)?.coordinates())
+    }
+    fn looped<T: Scalar<Real = f64>>([length, angle]: [T; 2], guess: [f64; 3]) -> Result<Vec<T>, Error> {
+        let n = T::literal;
+        let side = (RigidBody::massless([n(0.8), n(0.0)]), Pin, rod(n(0.6)));
+        let net = Network::new((Pin, rod(n(0.3) + length), Pin, rod(n(0.9))), side, Pin);
+        let scene = System::new(Clamped::at(n(0.0), n(0.0), n(0.0)), net, Free)?.with_gravity(n(9.81));
+        let [a, b, c] = guess.map(n);
+        Ok(scene.assembled(scene.at_rest(&[a + angle, b, c])?, &Unloaded)?.coordinates())
+    }
+    fn with_one_held<T: Scalar<Real = f64>>([length, angle]: [T; 2], guess: [f64; 3]) -> Result<Vec<T>, Error> {
+        let n = T::literal;
+        let chain = (rod(n(0.3) + length), Pin, rod(n(0.9)), Pin, rod(n(0.6)));
+        let scene = System::new(Pinned::origin(), chain, Pinned::at(n(0.8), n(0.0)))?.with_gravity(n(9.81));
+        let [a, b, c] = guess.map(n);
+        let start = scene.assembled_holding(scene.at_rest(&[a + angle, b, c])?, Holding::both(&[0]), &Unloaded)?;
+        Ok(start.motion.coordinates())
+    }
+    macro_rules! compare {
+        ($ends:ident, $($guess:expr),*) => {$({
+            let [length, angle] = [Jet::<f64, 2>::seed(0.0, 0), Jet::seed(0.0, 1)];
+            let jets = $ends([length, angle], $guess)?;
+            for (k, jet) in jets.iter().enumerate() {
+                let slopes = [
+                    slope(1e-4, |by| Ok($ends([by, 0.0], $guess)?[k]))?,
+                    slope(1e-4, |by| Ok($ends([0.0, by], $guess)?[k]))?,
+                ];
+                println!("{} from {:?}, coordinate {k}: {:?} by {slopes:?}", stringify!($ends), $guess, jet.eps);
+                near(jet.eps[0], slopes[0], 1e-7);
+                near(jet.eps[1], slopes[1], 1e-7);
+            }
+            // Each lane goes its own way, if all of them begin as far.
+            let by = [0.0, 1e-3, 2e-3, 3e-3];
+            let lanes = $ends([WideF64x4::from(by), WideF64x4::literal(0.0)], $guess)?;
+            for (lane, by) in by.into_iter().enumerate() {
+                let alone = $ends([by, 0.0], $guess)?;
+                for (found, alone) in lanes.iter().zip(alone) {
+                    near(found.into_arr()[lane], alone, 1e-12);
+                }
+            }
+        })*};
+    }
+    compare!(held, [1.0, 0.2, -1.5], [0.7, 0.4, -0.9], [1.3, 0.2, -2.6], [1.1, 0.3, -1.8]);
+    compare!(looped, [1.0, 0.2, 2.9], [0.7, 0.4, 2.2], [1.0, 0.4, 1.3]);
+    compare!(with_one_held, [1.0, 0.2, -1.2], [0.9, 1.2, -0.9]);
+    Ok(())
+}
+
 /// The rocker's angle by the crank's is the ratio of their rates, and lanes assemble side by side.
 #[test]
 fn every_number_is_assembled() -> Result<(), Error> {
