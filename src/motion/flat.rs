@@ -25,7 +25,7 @@ fn copied<T: Copy>(into: &mut [T], first: usize, visit: impl FnOnce(&mut dyn FnM
 /// All numbers, for a list as long as they are.
 fn all<T: Copy>(into: &mut [T], visit: impl FnOnce(&mut dyn FnMut(T))) -> Result<(), Error> {
     let given = into.len();
-    counted(copied(into, 0, visit), given)
+    counted("numbers to be copied", copied(into, 0, visit), given)
 }
 
 /// The numbers of a joint.
@@ -33,7 +33,7 @@ fn part<T: Scalar, const K: usize>(
     range: Range<usize>,
     visit: impl FnOnce(&mut dyn FnMut(T)),
 ) -> Result<[T; K], Error> {
-    counted(range.len(), K)?;
+    counted("numbers of a joint", range.len(), K)?;
     let mut part = [T::zero(); K];
     if copied(&mut part, range.start, visit) < range.end {
         return Err(Error::new(Fault::Shape));
@@ -89,7 +89,7 @@ macro_rules! rates {
         /// [`Fault::Count`] for a list of another length, [`Fault::NotFinite`]; the motion is then as before.
         pub fn $set_all(&mut self, list: &[T]) -> Result<(), Error> {
             all_finite(list, $lower)?;
-            counted(self.rate_count(), list.len())?;
+            counted($lower, self.rate_count(), list.len())?;
             replaced(list, 0, |make| self.$field_mut().replace(&mut |x| make(x)));
             Ok(())
         }
@@ -100,7 +100,7 @@ macro_rules! rates {
         /// [`Fault::Count`] where the joint has another number of them, [`Fault::NotFinite`], [`Fault::Shape`] for a motion of another
         /// scene; the motion is then as before.
         pub fn $set_of(&mut self, joint: JointNumbers, list: &[T]) -> Result<(), Error> {
-            counted(joint.rates().len(), list.len())?;
+            counted($lower, joint.rates().len(), list.len())?;
             all_finite(list, $lower)?;
             if self.rate_count() < joint.rates[1] {
                 return Err(Error::new(Fault::Shape));
@@ -181,7 +181,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
     /// [`Fault::Count`] for a list of another length, [`Fault::NotFinite`], [`Fault::NotPositive`] for a quaternion without length; the
     /// motion is then as before.
     pub fn set_coordinates(&mut self, list: &[T]) -> Result<(), Error> {
-        counted(self.coordinate_count(), list.len())?;
+        counted("coordinates", self.coordinate_count(), list.len())?;
         self.place(list, 0)
     }
 
@@ -191,7 +191,7 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
     /// [`Fault::Count`] where the joint has another number of them, [`Fault::NotFinite`], [`Fault::NotPositive`] for a quaternion
     /// without length, [`Fault::Shape`] for a motion of another scene; the motion is then as before.
     pub fn set_coordinates_of(&mut self, joint: JointNumbers, list: &[T]) -> Result<(), Error> {
-        counted(joint.coordinates().len(), list.len())?;
+        counted("coordinates", joint.coordinates().len(), list.len())?;
         if self.coordinate_count() < joint.coordinates[1] {
             return Err(Error::new(Fault::Shape));
         }

@@ -105,7 +105,7 @@ impl<T: Scalar, const K: usize> Along<T, K> {
             return Err(Error::new(Fault::Shape));
         }
         match self.beyond {
-            Some([expected, given]) => Err(Error::new(Fault::Count { expected, given })),
+            Some([expected, given]) => Err(Error::new(Fault::Count { list: "numbers of a joint", expected, given })),
             None => Ok(()),
         }
     }

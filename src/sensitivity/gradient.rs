@@ -37,7 +37,7 @@ impl<R, T: Scalar> Costate<R, T> {
         for (costate, list) in [(&mut self.position, by_position), (&mut self.rate, by_rate)] {
             let mut expected = 0;
             costate.visit(&mut |_| expected += 1);
-            counted(expected, list.len())?;
+            counted("derivatives of the cost", expected, list.len())?;
             let mut list = list.iter();
             costate.replace(&mut |x| list.next().map_or(x, |more| x + *more));
         }
@@ -100,7 +100,7 @@ impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Gradient<S, E, L> {
     /// [`Fault::Count`](crate::Fault::Count) for a law of more than six.
     pub fn by_loads(&self) -> Result<&[S::Scalar], Error> {
         let (list, given) = L::listed(&self.law);
-        list.get(..*given).ok_or(Error::new(Fault::Count { expected: LAW, given: *given }))
+        list.get(..*given).ok_or(Error::new(Fault::Count { list: "numbers of a law", expected: LAW, given: *given }))
     }
 
     /// The gradient along the seeds of a start over jets, as far as that depends on them: by lengths at which it is

@@ -195,7 +195,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             orientations.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         };
         configure(&self.chain, &mut motion.position, ground.turn, &mut next);
-        counted(expected, orientations.len())?;
+        counted("orientations", expected, orientations.len())?;
         ensure_finite(orientations.iter().all(|x| x.is_finite()), "orientation")?;
         Ok(motion)
     }
@@ -217,7 +217,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             expected += 1;
             rates.get(expected - 1).copied().unwrap_or(S::Scalar::zero())
         });
-        counted(expected, rates.len())?;
+        counted("rates", expected, rates.len())?;
         ensure_finite(rates.iter().all(|x| x.is_finite()), "rate")?;
         Ok(motion)
     }

@@ -29,8 +29,8 @@ impl<'a, T: Scalar> Feed<'a, T> {
         self.numbers.get(self.asked - 1).copied().unwrap_or(T::zero())
     }
 
-    pub(super) fn check(&self, parameter: &'static str) -> Result<(), Error> {
-        counted(self.asked, self.numbers.len())?;
+    pub(super) fn check(&self, list: &'static str, parameter: &'static str) -> Result<(), Error> {
+        counted(list, self.asked, self.numbers.len())?;
         ensure_finite(self.numbers.iter().all(|x| x.is_finite()), parameter)
     }
 }
@@ -66,7 +66,7 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
             largest = largest.max(absolute.real().abs());
             absolute
         });
-        feed.check("joint angle")?;
+        feed.check("joint angles", "joint angle")?;
         // A relative coordinate was found as a difference of absolute angles: the number given has the digits lost there. An absolute one
         // may be that number, too, and has derivatives by those inboard: of the miss a large number swallows the value, in each lane, alone.
         let lost = largest * T::Real::EPSILON * T::Real::of(4.0);

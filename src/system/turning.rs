@@ -132,7 +132,7 @@ impl<S: Turning, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             own.iter_mut().take(swivel.freedoms).for_each(|rate| *rate = feed.next());
             Wanted::Relative(own)
         })?;
-        feed.check("rate")?;
+        feed.check("rates", "rate")?;
         Ok(motion)
     }
 
@@ -182,7 +182,7 @@ impl<T: Scalar, R: Root<Planar<T>>, C: Element<Planar<T>>, P: Tip<Planar<T>>> Sy
         self.fits(&motion)?;
         let mut feed = Feed::of(rates);
         let outcome = self.steered(&mut motion, |_| Wanted::Spin(Planar::in_inertial_axes(feed.next())));
-        feed.check("rate")?;
+        feed.check("rates", "rate")?;
         outcome?;
         Ok(motion)
     }
@@ -213,7 +213,7 @@ impl<T: Scalar, R: Root<Spatial<T>>, C: Element<Spatial<T>>, P: Tip<Spatial<T>>>
             turning += 1;
             attitudes.get(turning - 1).map_or(Wanted::Any, |attitude| Wanted::Orientation(*attitude))
         });
-        counted(turning, attitudes.len())?;
+        counted("attitudes", turning, attitudes.len())?;
         outcome?;
         Ok(motion)
     }
@@ -251,7 +251,7 @@ impl<T: Scalar, R: Root<Spatial<T>>, C: Element<Spatial<T>>, P: Tip<Spatial<T>>>
                 Wanted::Spin(axes(*rate).inertial::<Spatial<T>>(&swivel.inboard, &swivel.outboard))
             })
         });
-        counted(turning, rates.len())?;
+        counted("rates", turning, rates.len())?;
         outcome?;
         Ok(motion)
     }

@@ -182,7 +182,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
     /// Refuses lists of another length than the robot has joints.
     #[inline(always)]
     pub(super) fn has_joints(&self, count: usize) -> Result<(), Error> {
-        counted(coordinates(self.chain()), count)
+        counted("numbers of joints", coordinates(self.chain()), count)
     }
 
     /// Accelerations q̈ of the joints (rad/s², m/s²) from positions, rates and torques (N·m, N): those of the scene at time zero, in

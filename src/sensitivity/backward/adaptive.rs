@@ -40,7 +40,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// Runs to the time `end` (s) by steps that error control chooses within a tolerance, absolute and relative, and keeps the state before
     /// each of them and after the last; gives their number. `torques` are those in all joints, held over the run, or none.
@@ -78,7 +77,7 @@ where
             }
         })?;
         if count > states.len() {
-            return Err(Error::new(Fault::Count { expected: count, given: states.len() }));
+            return Err(Error::new(Fault::Count { list: "states", expected: count, given: states.len() }));
         }
         Ok(count - 1)
     }

@@ -4,16 +4,17 @@ use super::Backward;
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Ties};
-use crate::element::{Element, Unloaded};
+use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
 use crate::loading::{EffortOf, Loading};
 use crate::mirror::Position;
-use crate::relation::{Absent, Additive};
-use crate::scalar::Real;
+use crate::relation::Absent;
+use crate::scalar::{Real, Scalar};
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, PositionOf, Runs, System};
 use crate::walks::fits::fits;
+use num_traits::Zero;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
@@ -25,7 +26,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// Refuses states of another scene and torques of another number; gives the last state.
     pub(super) fn check<'a>(
@@ -34,7 +34,7 @@ where
         states: &'a [MotionOf<S, R, C, P>],
     ) -> Result<&'a MotionOf<S, R, C, P>, Error> {
         let Some(last) = states.last() else {
-            return Err(Error::new(Fault::Count { expected: 1, given: 0 }));
+            return Err(Error::new(Fault::Count { list: "states", expected: 1, given: 0 }));
         };
         self.admits(states.len() - 1, torques.len())?;
         let fit = self.fits(last) && states.iter().all(|state| state.fits(last));
@@ -68,6 +68,14 @@ where
         self.suits(steps, given)
     }
 
+    /// Refuses a step that does not go on.
+    pub(super) fn advances(step: RealOf<S>) -> Result<(), Error> {
+        if step.is_finite() && step > Zero::zero() {
+            return Ok(());
+        }
+        Err(Error::new(Fault::NotPositive { parameter: "step size", value: step.as_f64() }))
+    }
+
     /// Refuses lists of torques of another length, parameters that make no rule, and a law of loads that does not fit the scene.
     pub(super) fn suits(&self, steps: usize, given: usize) -> Result<(), Error> {
         self.method.fault().map_or(Ok(()), |fault| Err(Error::new(fault)))?;
@@ -92,6 +100,6 @@ where
         let (bodies, joints) = (self.steps.scene.elements().bodies(), self.steps.scene.joints());
         self.steps.loads.law.ties().check(bodies, joints).map_err(Error::new)?;
         Loading::<S>::check(&self.steps.loads.law.beside(Absent), bodies, joints).map_err(Error::new)?;
-        if given == 0 || given == joints { Ok(()) } else { counted(steps.saturating_mul(joints), given) }
+        if given == 0 || given == joints { Ok(()) } else { counted("torques", steps.saturating_mul(joints), given) }
     }
 }

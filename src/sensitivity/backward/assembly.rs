@@ -16,9 +16,7 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, Level, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
-use crate::loading::EffortOf;
 use crate::mirror::Rate;
-use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::walks::complete::complete;
@@ -34,7 +32,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// Runs whose starts are assembled: gradients take a start, which must be closed, for what [`assembled`](System::assembled) makes of itself.
     /// Without this initial coordinates stand alone, and a length that changes opens a loop, which the first step closes; with it the start closes as
@@ -90,7 +87,11 @@ where
             self.pull_back_assembly(start, gradient)?;
         }
         complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
-        Ok(())
+        let mut finite = true;
+        let mut meet = |x: S::Scalar| finite &= x.is_finite();
+        gradient.start.position.visit(&mut meet);
+        gradient.start.rate.visit(&mut meet);
+        if finite { Ok(()) } else { Err(Error::new(Fault::NotFinite { parameter: "gradient" })) }
     }
 
     fn pull_back_assembly(

@@ -18,9 +18,7 @@ use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
 use crate::ends::{Root, Tip};
-use crate::loading::EffortOf;
 use crate::mirror::{Rate, Retraction};
-use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::stepper::displace::displace;
 use crate::system::{Elements, MotionOf, RateOf};
@@ -53,7 +51,6 @@ where
     M: Staged,
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
-    EffortOf<S>: Additive,
 {
     pub(super) fn room_between(&self, record: &RecordOf<S, R, C, P, M, L>) -> Between<S, R, C, P, M, L> {
         let rate = || self.zero.clone();

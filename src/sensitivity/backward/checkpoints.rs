@@ -9,7 +9,6 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
-use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use core::ops::Range;
@@ -52,7 +51,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// As [`run`](Self::run), keeping few states.
     ///
@@ -127,7 +125,7 @@ where
     ) -> Result<GradientOf<S, R, C, L>, Error> {
         let (longest, given) = (plan.every.max(1).min(plan.steps), tape.len());
         if given < longest {
-            return Err(Error::new(Fault::Count { expected: longest, given }));
+            return Err(Error::new(Fault::Count { list: "steps on a tape", expected: longest, given }));
         }
         self.gradient_in_levels(plan, torques, states, &mut [], tape, by_torques, cost)
     }
@@ -154,11 +152,11 @@ where
         self.admits(plan.steps, by_torques.len())?;
         let (longest, length) = (plan.every.max(1).min(plan.steps), tape.len());
         if length == 0 && longest > 0 {
-            return Err(Error::new(Fault::Count { expected: 1, given: 0 }));
+            return Err(Error::new(Fault::Count { list: "steps on a tape", expected: 1, given: 0 }));
         }
         let (needed, given) = (if length < longest { longest.div_ceil(length) } else { 0 }, middle.len());
         if given < needed {
-            return Err(Error::new(Fault::Count { expected: needed, given }));
+            return Err(Error::new(Fault::Count { list: "states between", expected: needed, given }));
         }
         let states = &states[..plan.states()];
         let mut motions = states.iter().chain(&*middle).chain(tape.iter().map(|room| &room.before));
@@ -219,9 +217,10 @@ where
 
     /// Refuses lists of torques and states that a plan has no use for.
     fn planned(&self, plan: Checkpoints<RealOf<S>>, torques: usize, given: usize) -> Result<(), Error> {
+        Self::advances(plan.step)?;
         let expected = plan.states();
         if given < expected {
-            return Err(Error::new(Fault::Count { expected, given }));
+            return Err(Error::new(Fault::Count { list: "states", expected, given }));
         }
         self.admits(plan.steps, torques)
     }

@@ -20,7 +20,6 @@ use super::steps::{ROWS, Steps};
 use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, Ties};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Root;
-use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::{Additive, Solvable, Wrench};
 use crate::scalar::Real;
@@ -43,7 +42,6 @@ where
     M: Staged,
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
-    EffortOf<S>: Additive,
 {
     /// From the costates after a step, and what motions between have left, to those before it: the columns of the tableau, from the last to the
     /// first.

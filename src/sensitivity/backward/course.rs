@@ -79,7 +79,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// Runs a scene whose joints have modes, [`Coulomb`](crate::planar::Coulomb) or [`HardStops`](crate::planar::HardStops), to a time (s) by a rule of this
     /// method, past all that they strike, and where they stick and slip, and keeps its states for [`gradient_past`](Self::gradient_past).

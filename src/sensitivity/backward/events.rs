@@ -18,7 +18,6 @@ use crate::ends::Root;
 use crate::error::{Error, Fault, ensure_finite};
 use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::Additive;
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::sensitivity::Costate;
 use crate::simulate::crossing::{crosses, crossing, departure, of_one_number};
@@ -36,7 +35,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// Cuts the first step of a run in which a function of the motion crosses zero, so that it is zero at the step's end, and gives the
     /// number of steps up to there; none where it does not cross. The state of this number has no accelerations but zeros (by
@@ -137,7 +135,7 @@ where
             return Err(Error::new(Fault::Unsupported { what }));
         }
         let [.., past, _] = states else {
-            return Err(Error::new(Fault::Count { expected: 2, given: states.len() }));
+            return Err(Error::new(Fault::Count { list: "states", expected: 2, given: states.len() }));
         };
         let (k, size) = (states.len() - 2, last.time - past.time);
         self.steps.take_torques(torques, k);

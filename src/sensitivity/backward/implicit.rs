@@ -34,9 +34,7 @@ use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
 use crate::ends::Root;
-use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate, Retraction};
-use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::shape::{Shape, Takes};
 use crate::system::{Elements, MotionOf, RateOf};
@@ -51,7 +49,6 @@ where
     M: Staged,
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
-    EffortOf<S>: Additive,
 {
     /// Whether geometries of sweeps are put back.
     pub(super) const RESTORED: bool = M::RESTORES && Self::CLOSED > 0;

@@ -8,9 +8,7 @@ use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
 use crate::ends::Root;
-use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate, Retraction};
-use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 
@@ -23,7 +21,6 @@ where
     M: Staged,
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
-    EffortOf<S>: Additive,
 {
     /// The accelerations that a sweep has found, where those of the step's coordinates may be others.
     pub(super) fn found<'a>(stage: &'a StageOf<S, R, C, P, L>, slope: &'a RateOf<S, R, C>) -> &'a RateOf<S, R, C> {

@@ -8,7 +8,7 @@ use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
 use crate::loading::{EffortOf, Seen};
 use crate::mirror::Rate;
-use crate::relation::{Additive, Geometry};
+use crate::relation::Geometry;
 use crate::scalar::{Pack, Scalar};
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use crate::walks::unspread;
@@ -24,7 +24,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// Makes the step that is to be linearised, where lists are as long as its Jacobians.
     fn begin_linear(
@@ -39,10 +38,11 @@ where
             return Err(Error::new(Fault::Shape));
         }
         let (rows, joints) = (2 * past.rate_count(), self.steps.scene.joints());
+        Self::advances(size)?;
         self.admits(1, torques.len())?;
-        counted(rows * rows, by_state)?;
+        counted("derivatives by the state", rows * rows, by_state)?;
         if by_torques > 0 {
-            counted(rows * joints, by_torques)?;
+            counted("derivatives by torques", rows * joints, by_torques)?;
         }
         self.independent(past)?;
         self.steps.take_torques(torques, 0);

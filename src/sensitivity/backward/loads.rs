@@ -5,9 +5,9 @@ use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Surveyed};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf, Space, Unloaded};
 use crate::ends::Root;
-use crate::loading::{EffortOf, Load, Loading};
+use crate::loading::{Load, Loading};
 use crate::mirror::Rate;
-use crate::relation::{Absent, Additive, Wrench, WrenchOf};
+use crate::relation::{Absent, Wrench, WrenchOf};
 use crate::scalar::Scalar;
 use crate::shape::{PerBody, PerJoint};
 use crate::space::FrameOf;
@@ -114,17 +114,15 @@ impl<S: Reversed, L: Loading<S>> Visit<S> for Telling<'_, S, L> {
     fn joint(&mut self, _: &S::JointMotion) {}
 }
 
-impl<'s, S, R, C, P, M, L> Backward<'s, S, R, C, P, M, L>
+impl<'s, S, R, C, P, M> Backward<'s, S, R, C, P, M>
 where
     S: Reversed,
     R: Root<S>,
     C: Element<S>,
     P: ReversibleTip<S>,
     M: Staged,
-    L: BodyLaw<S>,
-    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
+    Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// Runs and gradients under loads on bodies, forces of a medium or of springs to fixed points: a law that is generic over the scalar and
     /// [`lift!`](crate::lift!)ed, which goes backward by itself, by jets of what a body tells it and of its own numbers, six or less.

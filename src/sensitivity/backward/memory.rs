@@ -23,9 +23,7 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
-use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::Additive;
 use crate::scalar::Real;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use num_traits::Zero;
@@ -78,7 +76,6 @@ where
     M: Staged,
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
-    EffortOf<S>: Additive,
 {
     /// Makes a motion one in which a run begins.
     pub(super) fn forget(&self, start: &mut MotionOf<S, R, C, P>) {

@@ -164,7 +164,6 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         P: ReversibleTip<S>,
         Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, Absent, P::Closures>,
         Self: Runs<Unloaded, S, R, C, P>,
-        EffortOf<S>: Additive,
     {
         Backward::new(self, method, Absent)
     }
@@ -180,7 +179,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     fn new(scene: &'s System<S, R, C, P>, method: M, law: L) -> Self {
         let steps = Steps::new(scene, method, law);
@@ -199,8 +197,8 @@ where
     /// [`simulate`](System::simulate).
     ///
     /// # Errors
-    /// [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of another scene;
-    /// [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
+    /// [`Fault::NotPositive`] for the step; [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of
+    /// another scene; [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
     /// or closes a loop, twice in the same way; [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::Unsupported`] where the
     /// ground moves, or joints are coupled, and something is held or closed; what is wrong with the parameters of the rule; what
     /// [`LoadLaw::check`](crate::loading::LoadLaw::check) of the loads on bodies refuses.
@@ -212,10 +210,11 @@ where
         torques: &[EffortOf<S>],
         states: &mut [MotionOf<S, R, C, P>],
     ) -> Result<(), Error> {
+        Self::advances(step)?;
         self.admits(steps, torques.len())?;
         let given = states.len();
         let Some(states) = states.get_mut(..=steps) else {
-            return Err(Error::new(Fault::Count { expected: steps.saturating_add(1), given }));
+            return Err(Error::new(Fault::Count { list: "states", expected: steps.saturating_add(1), given }));
         };
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
@@ -245,8 +244,8 @@ where
     ///
     /// # Errors
     /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::Unsupported`] where a rule that
-    /// remembers is given states that are not of its run, with the time; what the loads on bodies refuse, as in [`run`](Self::run); those of
-    /// the cost.
+    /// remembers is given states that are not of its run, with the time; [`Fault::NotFinite`] for a gradient that is none, of derivatives of the
+    /// cost that are none; what the loads on bodies refuse, as in [`run`](Self::run); those of the cost.
     pub fn gradient(
         &mut self,
         torques: &[EffortOf<S>],

@@ -15,7 +15,7 @@ use crate::lift::Lift;
 use crate::loading::{EffortOf, Values};
 use crate::mirror::{Mode, Position, Rate};
 use crate::motion::Motion;
-use crate::relation::{Absent, Additive, Closures, Geometry};
+use crate::relation::{Absent, Closures, Geometry};
 use crate::scalar::{Elementary, Jet, Real, Scalar};
 use crate::sensitive::Varied;
 use crate::sensitivity::front::parts::{NO_SEEDS, OfNumbers, seeded};
@@ -57,7 +57,7 @@ where
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     System<Over<S>, Part<S, R>, Part<S, C>, Part<S, P>>:
         Runs<Acting<Over<S>, Part<S, L>>, Over<S>, Part<S, R>, Part<S, C>, Part<S, P>>,
-    EffortOf<S>: Additive + OfNumbers<S::Scalar>,
+    EffortOf<S>: OfNumbers<S::Scalar>,
     EffortOf<Over<S>>: OfNumbers<Seeded<S>>,
 {
     /// The gradient of a cost by everything, for a run past changes of mode: `cost` is told the number of each of the course's

@@ -22,7 +22,6 @@ use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, total};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Root;
-use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::{Acceleration, Additive, Closures, Solvable};
 use crate::scalar::{Real, Scalar};
@@ -78,7 +77,6 @@ where
     M: Staged,
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
-    EffortOf<S>: Additive,
 {
     /// Where a step ends, and its projection.
     pub(super) fn end_projected(

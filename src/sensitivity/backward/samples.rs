@@ -7,7 +7,6 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
-use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
 use crate::system::{Elements, MotionOf, Runs, System};
 
@@ -21,7 +20,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// As [`gradient`](Self::gradient), of a cost at samples: `cost` is told the number of each of these `times` (s), from the last to the first, and
     /// the motion there, that of dense output as [`every`](crate::simulate::Simulation::every) shows it, and adds the derivatives of the cost by its

@@ -91,7 +91,6 @@ where
     M: Staged,
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
-    EffortOf<S>: Additive,
 {
     /// Whether the tip is held.
     pub(super) const HELD: bool = P::Closures::COUNT > 0;

@@ -9,7 +9,7 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
-use crate::relation::{Absent, Additive};
+use crate::relation::Absent;
 use crate::scalar::Real;
 use crate::shape::PerJoint;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
@@ -44,7 +44,6 @@ where
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
-    EffortOf<S>: Additive,
 {
     /// Room for a step of a tape: a slice of them is what [`gradient_between`](Self::gradient_between) needs.
     pub fn tape(&self) -> Tape<S, R, C, P, M, L> {
@@ -66,10 +65,11 @@ where
         tape: &mut [Tape<S, R, C, P, M, L>],
         end: &mut MotionOf<S, R, C, P>,
     ) -> Result<(), Error> {
+        Self::advances(step)?;
         self.admits(steps, torques.len())?;
         let given = tape.len();
         let Some(tape) = tape.get_mut(..steps) else {
-            return Err(Error::new(Fault::Count { expected: steps, given }));
+            return Err(Error::new(Fault::Count { list: "steps on a tape", expected: steps, given }));
         };
         if !(self.fits(start) && self.fits(end) && tape.iter().all(|room| self.fits(&room.before))) {
             return Err(Error::new(Fault::Shape));
@@ -102,7 +102,7 @@ where
         self.admits(steps, by_torques.len())?;
         let given = tape.len();
         let Some(tape) = tape.get(..steps) else {
-            return Err(Error::new(Fault::Count { expected: steps, given }));
+            return Err(Error::new(Fault::Count { list: "steps on a tape", expected: steps, given }));
         };
         if !(self.fits(end) && tape.iter().all(|room| self.fits(&room.before))) {
             return Err(Error::new(Fault::Shape));

@@ -8,7 +8,6 @@ use crate::element::{Element, RealOf};
 use crate::ends::Root;
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
-use crate::relation::Additive;
 use crate::shape::PerJoint;
 use crate::space::FrameOf;
 use crate::system::{Elements, MotionOf, RateOf};
@@ -27,7 +26,6 @@ where
     M: Staged,
     L: BodyLaw<S>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
-    EffortOf<S>: Additive,
 {
     /// Whether joints are coupled.
     pub(super) const TIED: bool = <L::Ties as Ties<S>>::COUNT > 0;

@@ -183,7 +183,11 @@ where
     /// As [`jacobian`](Self::jacobian); [`Fault::Count`](crate::Fault::Count) where there is no output.
     pub fn gradient(&self, x: &[f64]) -> Result<(f64, Derivatives), Error> {
         let found = self.jacobian(x)?;
-        let value = found.values.first().copied().ok_or(Error::new(crate::Fault::Count { expected: 1, given: 0 }))?;
+        let value = found.values.first().copied().ok_or(Error::new(crate::Fault::Count {
+            list: "outputs",
+            expected: 1,
+            given: 0,
+        }))?;
         Ok((value, found))
     }
 
@@ -216,7 +220,7 @@ where
     /// # Errors
     /// As [`jacobian`](Self::jacobian); [`Fault::Count`](crate::Fault::Count) for a direction of another length.
     pub fn hessian_times(&self, x: &[f64], direction: &[f64]) -> Result<Derivatives, Error> {
-        counted(x.len(), direction.len())?;
+        counted("numbers of a direction", x.len(), direction.len())?;
         let along: Vec<_> = x.iter().zip(direction).map(|(re, eps)| Jet { re: *re, eps: [*eps] }).collect();
         let way = self.way(x.len());
         let found = derivatives(&along, self.outputs, way, &self.second_forward, &self.second_backward)?;

@@ -57,7 +57,7 @@ impl<T: Scalar> OfNumbers<T> for Effort<T> {
 pub fn split<T>(numbers: &[T], torques: usize) -> Result<(&[T], &[T]), Error> {
     let given = numbers.len();
     let parts = given.checked_sub(torques).and_then(|inputs| numbers.split_at_checked(inputs));
-    parts.ok_or(Error::new(Fault::Count { expected: torques, given }))
+    parts.ok_or(Error::new(Fault::Count { list: "inputs", expected: torques, given }))
 }
 
 /// The time after so many steps of a size, without the rounding of a running sum.
@@ -99,7 +99,7 @@ where
     let (count, given) = (EffortOf::<S>::COUNT, numbers.len());
     let all = count * scene.joints();
     if given > 0 && given != all {
-        counted(all.saturating_mul(steps), given)?;
+        counted("torques", all.saturating_mul(steps), given)?;
     }
     Ok(numbers.chunks_exact(count).map(EffortOf::<S>::of).collect())
 }
@@ -111,7 +111,6 @@ pub fn held<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(
     step: usize,
 ) -> Vec<EffortOf<S>>
 where
-    EffortOf<S>: Additive,
 {
     let joints = scene.joints();
     let from = if efforts.len() == joints { 0 } else { step * joints };

@@ -203,21 +203,21 @@ fn what_is_not_there_is_an_error() -> Result<(), Error> {
     let long = message(scene.joint("eine Grübelei über Gelenke").map(|_| ()));
     assert_eq!(long, Err("there is no joint named eine Grübelei über Ge...".into()));
 
-    let count = |expected, given| Err(Fault::Count { expected, given });
+    let count = |list, expected, given| Err(Fault::Count { list, expected, given });
     let (knee, root, lock) = (scene.joint("knee")?, scene.joint("root")?, scene.joint("lock")?);
     for given in [0, 14, 16] {
         let mut list = vec![0.5; given];
-        assert_eq!(fault(motion.set_coordinates(&list)), count(15, given));
-        assert_eq!(fault(motion.set_rates(&list)), count(15, given));
-        assert_eq!(fault(motion.set_accelerations(&list)), count(15, given));
-        assert_eq!(fault(motion.coordinates_into(&mut list)), count(15, given));
-        assert_eq!(fault(motion.rates_into(&mut list)), count(15, given));
-        assert_eq!(fault(motion.accelerations_into(&mut list)), count(15, given));
+        assert_eq!(fault(motion.set_coordinates(&list)), count("coordinates", 15, given));
+        assert_eq!(fault(motion.set_rates(&list)), count("rates", 15, given));
+        assert_eq!(fault(motion.set_accelerations(&list)), count("accelerations", 15, given));
+        assert_eq!(fault(motion.coordinates_into(&mut list)), count("numbers to be copied", 15, given));
+        assert_eq!(fault(motion.rates_into(&mut list)), count("numbers to be copied", 15, given));
+        assert_eq!(fault(motion.accelerations_into(&mut list)), count("numbers to be copied", 15, given));
     }
-    assert_eq!(fault(motion.set_coordinates_of(knee, &[])), count(1, 0));
-    assert_eq!(fault(motion.set_rates_of(root, &[0.5; 4])), count(3, 4));
-    assert_eq!(fault(motion.set_accelerations_of(lock, &[0.5])), count(0, 1));
-    assert_eq!(fault(motion.coordinates_of::<2>(knee).map(|_| ())), count(1, 2));
+    assert_eq!(fault(motion.set_coordinates_of(knee, &[])), count("coordinates", 1, 0));
+    assert_eq!(fault(motion.set_rates_of(root, &[0.5; 4])), count("rates", 3, 4));
+    assert_eq!(fault(motion.set_accelerations_of(lock, &[0.5])), count("accelerations", 0, 1));
+    assert_eq!(fault(motion.coordinates_of::<2>(knee).map(|_| ())), count("numbers of a joint", 1, 2));
     let nan = |parameter| Err(Fault::NotFinite { parameter });
     assert_eq!(fault(motion.set_coordinates_of(knee, &[f64::NAN])), nan("coordinate"));
     assert_eq!(fault(motion.set_rates(&[f64::INFINITY; 15])), nan("rates"));

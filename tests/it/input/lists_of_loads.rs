@@ -13,7 +13,10 @@ use core::cell::Cell;
 
 fn refused<X: core::fmt::Debug>(outcome: Result<X, Error>, expected: usize, given: usize) {
     match outcome {
-        Err(Error { fault, .. }) => assert_eq!(fault, Fault::Count { expected, given }),
+        Err(Error { fault: Fault::Count { expected: all, given: some, .. }, .. }) => {
+            assert_eq!([all, some], [expected, given]);
+        }
+        Err(error) => panic!("{error}"),
         Ok(found) => panic!("accepted: {found:?}"),
     }
 }

@@ -151,15 +151,21 @@ fn pendulum() -> Result<(Pendulum, Moving2), Error> {
 fn wrong_numbers_of_angles_and_rates_are_counted() -> Result<(), Error> {
     let (system, start) = pendulum()?;
     for given in [0, 1, 3, 100] {
-        let refused = Some(Error::new(Fault::Count { expected: 2, given }));
-        assert_eq!(system.at_rest(&vec![0.1; given]).err(), refused);
-        assert_eq!(system.with_rates(start, &vec![0.1; given]).err(), refused);
+        let refused = |list| Some(Error::new(Fault::Count { list, expected: 2, given }));
+        assert_eq!(system.at_rest(&vec![0.1; given]).err(), refused("orientations"));
+        assert_eq!(system.with_rates(start, &vec![0.1; given]).err(), refused("rates"));
     }
     // A floating chain has two rates more than angles.
     let system = System::new(Free, (rod(), vec![(Pin, rod()); 2]), Free)?;
-    assert_eq!(system.at_rest(&[0.0; 5]).err(), Some(Error::new(Fault::Count { expected: 3, given: 5 })));
+    assert_eq!(
+        system.at_rest(&[0.0; 5]).err(),
+        Some(Error::new(Fault::Count { list: "orientations", expected: 3, given: 5 }))
+    );
     let start = system.at_rest(&[0.0; 3])?;
-    assert_eq!(system.with_rates(start, &[0.0; 3]).err(), Some(Error::new(Fault::Count { expected: 5, given: 3 })));
+    assert_eq!(
+        system.with_rates(start, &[0.0; 3]).err(),
+        Some(Error::new(Fault::Count { list: "rates", expected: 5, given: 3 }))
+    );
     Ok(())
 }
 

@@ -213,9 +213,12 @@ fn counts_of_numbers_are_checked() -> Result<(), Error> {
     let system = System::new(Pinned::origin(), (rod(), Revolute::about([0.0, 0.0, 1.0]), rod()), Free)?;
     assert!(system.at_rest(&[0.0; 4]).is_ok());
     let count = |error: Error| error.fault;
-    assert_eq!(system.at_rest(&[0.0; 3]).map_err(count).err(), Some(Fault::Count { expected: 4, given: 3 }));
+    assert_eq!(
+        system.at_rest(&[0.0; 3]).map_err(count).err(),
+        Some(Fault::Count { list: "orientations", expected: 4, given: 3 })
+    );
     let rates = system.with_rates(system.motion(), &[0.0; 5]).map_err(count).err();
-    assert_eq!(rates, Some(Fault::Count { expected: 4, given: 5 }));
+    assert_eq!(rates, Some(Fault::Count { list: "rates", expected: 4, given: 5 }));
     Ok(())
 }
 

@@ -107,10 +107,13 @@ fn wrong_counts_and_nan_are_named() -> Result<(), Error> {
     let scene = scene!(Pinned::origin());
     let fault = |result: Result<_, Error>| result.map(|_| ()).map_err(|error| error.fault);
     let expected = FREE.len();
-    assert_eq!(fault(scene.at_joint_angles(&[0.0; 3])), Err(Fault::Count { expected, given: 3 }));
+    assert_eq!(fault(scene.at_joint_angles(&[0.0; 3])), Err(Fault::Count { list: "joint angles", expected, given: 3 }));
     assert_eq!(fault(scene.at_joint_angles(&[f64::NAN; 9])), Err(Fault::NotFinite { parameter: "joint angle" }));
     let rest = scene.at_joint_angles(&[0.0; 9])?;
-    assert_eq!(fault(scene.with_body_rates(rest, &[0.0; 10])), Err(Fault::Count { expected, given: 10 }));
+    assert_eq!(
+        fault(scene.with_body_rates(rest, &[0.0; 10])),
+        Err(Fault::Count { list: "rates", expected, given: 10 })
+    );
     assert_eq!(fault(scene.with_joint_rates(rest, &[f64::INFINITY; 9])), Err(Fault::NotFinite { parameter: "rate" }));
     Ok(())
 }

@@ -206,10 +206,10 @@ fn all_bodies_at_once() -> Result<(), Error> {
     assert_eq!(turned.rates_of(scene.joint(last)?)?, [own[14], own[15]]);
     assert_eq!(turned.rates_of::<1>(scene.joint(last - 1)?)?, [own[13]]);
 
-    let count = |expected, given| Some(Error::new(Fault::Count { expected, given }));
-    assert_eq!(scene.at_attitudes(&attitudes[1..]).err(), count(7, 6));
-    assert_eq!(scene.with_body_rates(rest, &[X; 8], Inertial).err(), count(7, 8));
-    assert_eq!(scene.with_joint_rates(rest, &own[1..]).err(), count(16, 15));
+    let count = |list, expected, given| Some(Error::new(Fault::Count { list, expected, given }));
+    assert_eq!(scene.at_attitudes(&attitudes[1..]).err(), count("attitudes", 7, 6));
+    assert_eq!(scene.with_body_rates(rest, &[X; 8], Inertial).err(), count("rates", 7, 8));
+    assert_eq!(scene.with_joint_rates(rest, &own[1..]).err(), count("rates", 16, 15));
     Ok(())
 }
 

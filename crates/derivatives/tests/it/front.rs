@@ -98,7 +98,7 @@ fn both_ways_in_space() {
     x.push(0.1);
     for way in [Way::Forward, Way::Backward] {
         let fault = made(Plan { torques: 7, ..plan }).jacobian_by(&x, way).unwrap_err().fault;
-        assert!(matches!(fault, catena::Fault::Count { expected: 18, given: 7 }), "{fault:?}");
+        assert!(matches!(fault, catena::Fault::Count { expected: 18, given: 7, .. }), "{fault:?}");
     }
 }
 

@@ -86,7 +86,7 @@ fn torques_fit_a_step_or_all() {
     for (torques, count) in [(5, (6, 5)), (1, (6, 1)), (9, (9, 7))] {
         for found in both(3, torques, Read::Angle, &[0.1; 7]) {
             let fault = found.unwrap_err().fault;
-            assert!(matches!(fault, Fault::Count { expected, given } if (expected, given) == count), "{fault:?}");
+            assert!(matches!(fault, Fault::Count { expected, given, .. } if (expected, given) == count), "{fault:?}");
         }
     }
     assert!(both(3, 2, Read::Angle, &[0.1; 4]).iter().all(Result::is_ok));

@@ -453,7 +453,7 @@ fn what_has_no_gradient_is_refused() -> Result<(), Error> {
     let course = backward.course(&start, Rk4::step(0.1), 0.3, &[])?;
     refused(backward.gradient_past(&course, &mut [], |_, _, _| Ok(())).err().expect("a stop"), "touches its stop");
     // Lists of another length, and what is not of this scene.
-    let counted = |error: Error| assert!(matches!(error.fault, Fault::Count { expected: 2, given: 3 }), "{error}");
+    let counted = |error: Error| assert!(matches!(error.fault, Fault::Count { expected: 2, given: 3, .. }), "{error}");
     counted(backward.course(&start, Rk4::step(0.1), 0.3, &[0.0; 3]).expect_err("torques"));
     let mut above = start;
     above.set_coordinates(&[0.5])?;
@@ -474,6 +474,6 @@ fn what_has_no_gradient_is_refused() -> Result<(), Error> {
     shape(gradient.along(&three.lift(Jet::<f64, 1>::of)).expect_err("another scene"));
     // An error of the cost is the gradient's.
     let fault = backward.gradient_past(&course, &mut [], |_, _, by| by.add(&[1.0], &[])).err().expect("a cost").fault;
-    assert!(matches!(fault, Fault::Count { expected: 2, given: 1 }), "{fault}");
+    assert!(matches!(fault, Fault::Count { expected: 2, given: 1, .. }), "{fault}");
     Ok(())
 }

@@ -120,16 +120,18 @@ impl<T: Scalar, M: Mode, const PLACE: u8> Axis<T, M, Level, PLACE> {
     }
 }
 
+impl<T: Scalar, M: Mode, C, const PLACE: u8, A, B> Axis<T, M, C, PLACE, Spring, A, B> {
+    /// With a spring, a damper, or another law, or several as a tuple.
+    pub fn with<N: SpringLaw<T>>(self, law: N) -> Axis<T, M, C, PLACE, N, A, B> {
+        let Self { place, offset, armature, mode, .. } = self;
+        Axis { place, offset, law, armature, mode }
+    }
+}
+
 impl<T: Scalar, M: Mode, C, const PLACE: u8, L, A, B> Axis<T, M, C, PLACE, L, A, B> {
     /// With the body turned against its parent while the coordinate is zero.
     pub fn turned<N: Offset<T>>(self, offset: N) -> Axis<T, M, N, PLACE, L, A, B> {
         let Self { place, law, armature, mode, .. } = self;
-        Axis { place, offset, law, armature, mode }
-    }
-
-    /// With a spring, a damper, or another law.
-    pub fn with<N: SpringLaw<T>>(self, law: N) -> Axis<T, M, C, PLACE, N, A, B> {
-        let Self { place, offset, armature, mode, .. } = self;
         Axis { place, offset, law, armature, mode }
     }
 

@@ -56,6 +56,6 @@ impl<T: Scalar, V: AsRef<[T]>> Loading<Spatial<T>> for Torques<V> {
     }
     fn check(&self, _: usize, joints: usize) -> Result<(), Fault> {
         let given = self.0.as_ref().len();
-        if given == joints { Ok(()) } else { Err(Fault::Count { expected: joints, given }) }
+        if given == joints { Ok(()) } else { Err(Fault::Count { list: "torques", expected: joints, given }) }
     }
 }

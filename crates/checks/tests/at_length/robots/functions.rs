@@ -55,7 +55,7 @@ fn dynamics_of_lists() -> Result<(), catena::Error> {
 fn lists_of_another_length_are_refused() -> Result<(), catena::Error> {
     let scene = fixed()?;
     let refused = scene.forward_dynamics(&[0.0; 5], &[0.0; 5], &[0.0; 5]);
-    assert!(matches!(refused, Err(catena::Error { fault: catena::Fault::Count { expected: 6, given: 5 }, .. })));
+    assert!(matches!(refused, Err(catena::Error { fault: catena::Fault::Count { expected: 6, given: 5, .. }, .. })));
     assert!(scene.jacobian(&[0.0; 6], 6, [0.0; 3]).is_err());
     assert!(scene.with_accelerations(scene.motion(), &Torques([0.0; 5])).is_err());
     Ok(())

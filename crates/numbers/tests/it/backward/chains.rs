@@ -221,15 +221,15 @@ fn lists_have_the_length_they_need() {
     let mut backward = system.backward(Rk4);
     let fault = |result: Result<(), Error>| result.unwrap_err().fault;
     let found = fault(backward.run(&start, 0.01, 10, &[], &mut [start; 10]));
-    assert!(matches!(found, Fault::Count { expected: 11, given: 10 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 11, given: 10, .. }), "{found:?}");
     let found = fault(backward.run(&start, 0.01, 10, &[0.0; 19], &mut [start; 11]));
-    assert!(matches!(found, Fault::Count { expected: 20, given: 19 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 20, given: 19, .. }), "{found:?}");
     let found = fault(backward.run(&start, f64::NAN, 10, &[], &mut [start; 11]));
     assert!(matches!(found, Fault::NonFiniteMotion), "{found:?}");
     let found = fault(backward.gradient(&[], &[start; 3], &mut [0.0; 3], |_, _, _| Ok(())).map(|_| ()));
-    assert!(matches!(found, Fault::Count { expected: 4, given: 3 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 4, given: 3, .. }), "{found:?}");
     let found = fault(backward.gradient(&[], &[start; 3], &mut [], |_, _, by| by.add(&[1.0], &[])).map(|_| ()));
-    assert!(matches!(found, Fault::Count { expected: 2, given: 1 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 2, given: 1, .. }), "{found:?}");
 }
 
 /// Room that has served under torques serves without them as if it were new.

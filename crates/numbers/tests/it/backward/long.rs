@@ -79,20 +79,20 @@ fn checkpoints_and_tape_say_how_many_are_needed() {
     let plan = Checkpoints { step: 0.01, steps: 100, every: 7 };
     assert_eq!(plan.states(), 16);
     let found = backward.run_between(&start, plan, &[], &mut [start; 15]).unwrap_err().fault;
-    assert!(matches!(found, Fault::Count { expected: 16, given: 15 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 16, given: 15, .. }), "{found:?}");
     let found = backward.run_between(&start, plan, &[0.0; 199], &mut [start; 16]).unwrap_err().fault;
-    assert!(matches!(found, Fault::Count { expected: 200, given: 199 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 200, given: 199, .. }), "{found:?}");
     let mut tape = vec![backward.tape(); 6];
     let gradient = backward.gradient_between(plan, &[], &[start; 16], &mut tape, &mut [], |_, _, _| Ok(()));
     let found = gradient.map(|_| ()).unwrap_err().fault;
-    assert!(matches!(found, Fault::Count { expected: 7, given: 6 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 7, given: 6, .. }), "{found:?}");
     let gradient =
         backward.gradient_in_levels(plan, &[], &[start; 16], &mut [start], &mut tape, &mut [], |_, _, _| Ok(()));
     let found = gradient.map(|_| ()).unwrap_err().fault;
-    assert!(matches!(found, Fault::Count { expected: 2, given: 1 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 2, given: 1, .. }), "{found:?}");
     let mut end = start;
     let found = backward.run_on_tape(&start, 0.01, 7, &[], &mut tape, &mut end).unwrap_err().fault;
-    assert!(matches!(found, Fault::Count { expected: 7, given: 6 }), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected: 7, given: 6, .. }), "{found:?}");
     let found = backward.run_on_tape(&start, f64::NAN, 6, &[], &mut tape, &mut end).unwrap_err().fault;
     assert!(matches!(found, Fault::NonFiniteMotion), "{found:?}");
 }

@@ -43,12 +43,32 @@ fn more_steps_than_can_be_counted_are_refused() -> Result<(), Error> {
     let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
     let refused = |found: Result<(), Error>, given: usize| {
         let fault = found.unwrap_err().fault;
-        assert!(matches!(fault, Fault::Count { expected: usize::MAX, given: few } if few == given), "{fault:?}");
+        assert!(matches!(fault, Fault::Count { expected: usize::MAX, given: few, .. } if few == given), "{fault:?}");
     };
     refused(backward.run(&start, 0.1, most, &[], &mut states), 3);
     refused(backward.run(&start, 0.1, most, &[1.0], &mut states), 1);
     let plan = Checkpoints { step: 0.1, steps: most, every: 1 };
     refused(backward.run_between(&start, plan, &[], &mut states), 3);
+    Ok(())
+}
+
+#[test]
+fn steps_that_do_not_go_on_and_costs_that_are_no_numbers_are_refused() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let (mut backward, mut states, mut next) = (system.backward(Rk4), [start; 3], start);
+    let mut tape = [backward.tape(), backward.tape()];
+    let refused = |found: Result<(), Error>| matches!(found.unwrap_err().fault, Fault::NotPositive { .. });
+    for step in [0.0, -0.005, f64::NAN, f64::INFINITY] {
+        assert!(refused(backward.run(&start, step, 2, &[], &mut states)), "{step}");
+        let plan = Checkpoints { step, steps: 2, every: 1 };
+        assert!(refused(backward.run_between(&start, plan, &[], &mut states)), "{step}");
+        assert!(refused(backward.run_on_tape(&start, step, 2, &[], &mut tape, &mut next)), "{step}");
+        assert!(refused(backward.linearised_step(&start, step, &[], &mut next, &mut [0.0; 16], &mut [])), "{step}");
+    }
+    backward.run(&start, 0.01, 2, &[], &mut states)?;
+    let found = backward.gradient(&[], &states, &mut [], |_, _, by| by.add(&[f64::NAN, 0.0], &[0.0; 2]));
+    assert!(matches!(found.map(|_| ()).unwrap_err().fault, Fault::NotFinite { .. }));
     Ok(())
 }
 

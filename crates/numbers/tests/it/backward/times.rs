@@ -80,7 +80,7 @@ fn error_controlled_runs_have_the_gradients_of_their_steps() {
     alike("under error control", &kinds, &found, &expected[..11], ROUNDING);
     // A slice that is too short says how many states the run has.
     let found = backward.run_adaptive(&start, 1e-8, 1.5, torques, &mut [start; 3]).unwrap_err().fault;
-    assert!(matches!(found, Fault::Count { expected, given: 3 } if expected == steps + 1), "{found:?}");
+    assert!(matches!(found, Fault::Count { expected, given: 3, .. } if expected == steps + 1), "{found:?}");
 }
 
 /// A run that ends where the lower rod hangs straight below the upper one: its cost and its time, against central differences of such runs.

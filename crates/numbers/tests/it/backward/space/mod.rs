@@ -329,7 +329,7 @@ fn laws_of_more_than_six_numbers_are_refused() {
     backward.run(&start, 0.01, 1, &[], &mut states).unwrap();
     let gradient = backward.gradient(&[], &states, &mut [], |_, _, by| by.add(&[1.0], &[0.0])).unwrap();
     let fault = gradient.along(&scene!(Jet::<f64, 8>::of)).unwrap_err().fault;
-    assert!(matches!(fault, Fault::Count { expected: 6, given: 7 }), "{fault:?}");
+    assert!(matches!(fault, Fault::Count { expected: 6, given: 7, .. }), "{fault:?}");
 }
 
 /// Revolute, ball, revolute, revolute, on a hinge that is turned.
