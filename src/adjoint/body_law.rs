@@ -5,8 +5,7 @@ use crate::loading::{Load, LoadLaw, Loading, Loads, Unloaded};
 use crate::relation::{Absent, Additive, Closures};
 use crate::shape::Takes;
 use crate::space::FrameOf;
-use crate::walks::burden::Burden;
-use crate::walks::pull_loads::{LAW, PullLoads};
+use crate::walks::{Burden, LAW, PullLoads};
 
 /// What acts on bodies: a law of time, number and motion of each, or [`Struts`](crate::struts::Struts) between them; and
 /// [`Couplings`](crate::planar::Couplings) of joints.

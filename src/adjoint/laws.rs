@@ -5,7 +5,7 @@ use crate::lift::Lift;
 use crate::relation::{Absent, Coefficient, Term};
 use crate::scalar::Scalar;
 use crate::spring::{Spring, SpringLaw};
-use crate::walks::strain::{Led, Strain};
+use crate::walks::{Led, Strain};
 
 /// Most numbers that a joint is made of, those of its law among them.
 pub const NUMBERS: usize = 6;

@@ -55,3 +55,13 @@ pub mod strain;
 pub mod swept;
 pub mod travel;
 pub mod unspread;
+
+pub use burden::Burden;
+pub use factor::Factor;
+pub use meet::Meet;
+pub use orient::Orient;
+pub use pull_back::PullBack;
+pub use pull_loads::{LAW, PullLoads};
+pub use reach::Reach;
+pub use stir::Stir;
+pub use strain::{Led, Strain};

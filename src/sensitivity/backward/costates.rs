@@ -28,9 +28,7 @@ use crate::shape::Takes;
 use crate::space::FrameOf;
 use crate::stepper::displace::{gather, gather_few, with_row};
 use crate::system::{Elements, MotionOf, PositionOf, RateOf};
-use crate::walks::meet::Meet;
-use crate::walks::pull_back::PullBack;
-use crate::walks::stir::Stir;
+use crate::walks::{Meet, PullBack, Stir};
 use num_traits::{One, Zero};
 
 impl<S, R, C, P, M, L> Steps<'_, S, R, C, P, M, L>

@@ -20,11 +20,10 @@ use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Solvable
 use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Takes};
 use crate::space::{FrameOf, Orientation};
 use crate::system::System;
-use crate::walks::meet::Meet;
 use crate::walks::missed::Turns;
 use crate::walks::singled::loops;
 use crate::walks::size::sizes;
-use crate::walks::stir::Stir;
+use crate::walks::{Meet, Stir};
 
 /// Room for walks that close what is to be closed.
 pub(super) struct Room<S: Reversed, E: Element<S>> {

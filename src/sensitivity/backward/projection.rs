@@ -29,11 +29,10 @@ use crate::shape::{Positions, Takes};
 use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
 use crate::walks::look::look;
 use crate::walks::missed::missed;
-use crate::walks::pull_back::PullBack;
 use crate::walks::restore::restore;
 use crate::walks::singled::{self, Left, single};
-use crate::walks::stir::Stir;
 use crate::walks::swept::swept;
+use crate::walks::{PullBack, Stir};
 use num_traits::Zero;
 
 /// Most positions, or rates, of a projection: before it, and after each correction.

@@ -18,12 +18,9 @@ use crate::scalar::Real;
 use crate::shape::{PerAxes, PerBody, PerClosure, PerJoint, PerLoop, Positions, Rates, Shape, Takes};
 use crate::stepper::displace::{are_few, displace, displace_by_row, with_row};
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
 use crate::walks::missed::Turns;
-use crate::walks::reach::Reach;
 use crate::walks::size::sizes;
+use crate::walks::{Burden, Factor, Meet, Reach};
 use crate::walks::{spread, unspread};
 use num_traits::Zero;
 

@@ -24,11 +24,7 @@ use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Closures, Empty};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::pull_back::PullBack;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
+use crate::walks::{Factor, Meet, PullBack, Reach, Stir};
 use nalgebra::Vector2;
 
 /// Condenses what lies outboard of a body.

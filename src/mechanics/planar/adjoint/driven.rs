@@ -13,14 +13,7 @@ use crate::relation::planar::algebra::{add_scaled, dot};
 use crate::relation::{Additive, Closures};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Factor, Meet, PullBack, PullLoads, Reach, Stir, Strain};
 
 driven!(Planar, [] Revolute, |joint, x, y, p, q| {
     drive: |outer, acceleration, gains| joint.drive::<C>(outer.relation, (x, y, p, q), acceleration, gains),

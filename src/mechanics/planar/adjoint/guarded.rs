@@ -12,14 +12,7 @@ use crate::mechanics::planar::{Acceleration, Planar, Revolute, Slider, Wrench};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Joint, Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Factor, Meet, PullBack, PullLoads, Reach, Stir, Strain};
 
 guarded!(Planar, [] Revolute, |joint, x, y, p, q| {
     drive: |outer, acceleration, gains| joint.drive::<C>(outer.relation, (x, y, p, q), acceleration, gains),

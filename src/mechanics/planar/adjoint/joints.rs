@@ -9,12 +9,7 @@ use crate::relation::Closures;
 use crate::relation::planar::algebra::{add_scaled, plus_dot};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes, Walk};
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::pull_back::PullBack;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Factor, Meet, PullBack, Reach, Stir, Strain};
 
 impl<T: Scalar, C: Closures, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for Pin {
     #[cfg_attr(optimised, inline(always))]

@@ -15,14 +15,7 @@ use crate::relation::planar::algebra::{add_scaled, dot};
 use crate::relation::planar::{Relation, RelativeGain, Slides};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Factor, Meet, PullBack, PullLoads, Reach, Stir, Strain};
 use nalgebra::Vector2;
 
 /// Costates of the numbers of the rotary law, of those along both axes, and of the mass.

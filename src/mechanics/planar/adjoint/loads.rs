@@ -24,8 +24,7 @@ use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Additive, Closures};
 use crate::scalar::{Elementary, Jet, Scalar};
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::pull_loads::{LAW, PullLoads};
+use crate::walks::{Burden, LAW, PullLoads};
 use core::ops::Add;
 use nalgebra::Vector2;
 

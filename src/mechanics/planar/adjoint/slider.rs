@@ -25,12 +25,7 @@ use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::planar::along;
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::pull_back::PullBack;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Factor, Meet, PullBack, Reach, Stir, Strain};
 
 impl<T: Scalar, C: Closures, L: ReversibleLaw<T>, By: Springs<T>> Takes<Planar<T>, Factor<C, By>> for Slider<T, L> {
     #[cfg_attr(optimised, inline(always))]

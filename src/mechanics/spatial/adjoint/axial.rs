@@ -14,13 +14,7 @@ use crate::relation::spatial::{Pivot as Gain, Relation as _, Way};
 use crate::relation::{Absent, Closures};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Factor, Meet, Orient, Reach, Stir, Strain};
 use nalgebra::Vector3;
 
 /// The axis of a coordinate.

@@ -16,12 +16,7 @@ use crate::relation::spatial::algebra::{cross, zero};
 use crate::relation::spatial::{Couple, Gain};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
+use crate::walks::{Factor, Meet, Orient, PullBack, Reach, Stir};
 use nalgebra::Vector3;
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Ball {

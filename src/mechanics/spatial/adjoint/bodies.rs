@@ -17,12 +17,7 @@ use crate::relation::spatial::algebra::{add_scaled, cross, cross_onto, dot};
 use crate::relation::{Closures, Empty};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
+use crate::walks::{Factor, Meet, Orient, PullBack, Reach, Stir};
 use nalgebra::Vector3;
 
 /// Condenses what lies outboard of a body.

@@ -21,15 +21,7 @@ use crate::relation::spatial::algebra::cross_onto;
 use crate::relation::spatial::{BallGain, Gain};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Factor, Meet, Orient, PullBack, PullLoads, Reach, Stir, Strain};
 use nalgebra::Vector3;
 
 impl<T: Scalar, R: ReversibleRotary<T>> Takes<Spatial<T>, Orient> for ElasticHinge<R> {

@@ -13,14 +13,7 @@ use crate::relation::spatial::algebra::{add_scaled, dot, zero};
 use crate::relation::{Additive, Open};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
+use crate::walks::{Burden, Factor, Meet, Orient, PullBack, PullLoads, Reach, Stir};
 use nalgebra::Vector3;
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Floating<T> {

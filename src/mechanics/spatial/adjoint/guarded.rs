@@ -11,15 +11,7 @@ use crate::mechanics::spatial::{Acceleration, Effort, Prismatic, Revolute, Spati
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Joint, Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Factor, Meet, Orient, PullBack, PullLoads, Reach, Stir, Strain};
 
 /// An effort with a force along the coordinate.
 pub(crate) fn under<T: Scalar>(effort: &Effort<T>, force: T) -> Effort<T> {

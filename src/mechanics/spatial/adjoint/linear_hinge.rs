@@ -25,15 +25,7 @@ use crate::relation::spatial::algebra::{add_scaled, centripetal, cross, cross_on
 use crate::relation::spatial::{BallGain, Gain, Relation};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::{Led, Strain};
+use crate::walks::{Burden, Factor, Led, Meet, Orient, PullBack, PullLoads, Reach, Stir, Strain};
 use nalgebra::Vector3;
 
 /// Most numbers of each law along an axis.

@@ -7,8 +7,7 @@ use crate::mechanics::spatial::{Ball, Floating, PointMass, Revolute, RigidBody, 
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Strain};
 use nalgebra::Vector3;
 
 macro_rules! bodies {

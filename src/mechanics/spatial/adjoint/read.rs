@@ -12,7 +12,7 @@ use crate::mechanics::spatial::body::Body;
 use crate::mechanics::spatial::{Acceleration, BodyMotion, Frame, Inertia, Spatial, Turn, Wrench};
 use crate::relation::spatial::algebra::{Columns, cross_onto, dot, zero};
 use crate::scalar::{Jet, Scalar};
-use crate::walks::pull_loads::{LAW, PullLoads};
+use crate::walks::{LAW, PullLoads};
 use nalgebra::Vector3;
 
 /// Place, velocity, turn, angular velocity.

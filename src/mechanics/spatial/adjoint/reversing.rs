@@ -8,7 +8,7 @@ use crate::mechanics::spatial::maps::about;
 use crate::mechanics::spatial::{Cylindrical, Prismatic, Universal};
 use crate::relation::spatial::algebra::Columns;
 use crate::scalar::Scalar;
-use crate::walks::strain::{Led, Strain};
+use crate::walks::{Led, Strain};
 use nalgebra::Vector3;
 
 /// What a joint may store its columns in.

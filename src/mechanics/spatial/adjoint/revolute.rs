@@ -31,13 +31,7 @@ use crate::relation::spatial::algebra::{Columns, add_scaled, cross, dot, dot_ont
 use crate::relation::{Absent, Closures};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Factor, Meet, Orient, PullBack, Reach, Stir, Strain};
 use nalgebra::Vector3;
 
 /// Adds what turns of the axis do, from Θ_O and X.

@@ -26,8 +26,7 @@ use crate::relation::spatial::Way;
 use crate::relation::spatial::algebra::{Columns, add_scaled, centripetal, cross, cross_onto, dot};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
+use crate::walks::{PullBack, PullLoads};
 use nalgebra::Vector3;
 
 /// A coordinate: its axis and columns beside it, rate, acceleration and virtual rate.

@@ -7,12 +7,7 @@ use crate::mechanics::spatial::{Spatial, Turn, Weld};
 use crate::relation::Closures;
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes, Walk};
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
+use crate::walks::{Factor, Meet, Orient, PullBack, Reach, Stir};
 
 impl<T: Scalar> Takes<Spatial<T>, Orient> for Weld<T> {
     #[cfg_attr(optimised, inline(always))]

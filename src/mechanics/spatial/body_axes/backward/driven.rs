@@ -14,15 +14,7 @@ use crate::mechanics::spatial::{Acceleration, Spatial, Turn, Wrench};
 use crate::relation::{Additive, Closures};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Factor, Meet, Orient, PullBack, PullLoads, Reach, Stir, Strain};
 
 macro_rules! axis {
     ([$($bounds:tt)*] $Joint:ty) => {

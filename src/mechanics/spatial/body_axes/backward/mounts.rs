@@ -13,15 +13,7 @@ use crate::relation::spatial::Relation;
 use crate::relation::spatial::algebra::{add_scaled, cross_onto, dot};
 use crate::scalar::Scalar;
 use crate::shape::{Of, Takes, Walk};
-use crate::walks::burden::Burden;
-use crate::walks::factor::Factor;
-use crate::walks::meet::Meet;
-use crate::walks::orient::Orient;
-use crate::walks::pull_back::PullBack;
-use crate::walks::pull_loads::PullLoads;
-use crate::walks::reach::Reach;
-use crate::walks::stir::Stir;
-use crate::walks::strain::Strain;
+use crate::walks::{Burden, Factor, Meet, Orient, PullBack, PullLoads, Reach, Stir, Strain};
 use nalgebra::Vector3;
 
 /// What a joint that has no coordinate does in a walk.
