@@ -9,6 +9,7 @@
 //! pose         root → tip   as in a sweep                                                   Element::pose
 //! begin        root → tip   orientations and rates: the coefficients of order 0             walks::series::Begin
 //! articulate   tip → root   F = S p, and the gains                                          walks::series::Articulate
+//! weigh        root → tip   loads on bodies, if any: what laws make of the motion so far    walks::series::Weigh    once for each order
 //! push         tip → root   convolutions; forces that coefficients known so far cause       walks::series::Push     once for each order
 //! swing        root → tip   accelerations of that order, and what follows from them         walks::series::Swing    once for each order
 //! ```
