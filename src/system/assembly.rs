@@ -156,7 +156,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let Conditions { residuals, rows } = self.conditions(motion);
             let wanted: Vec<_> = residuals.iter().map(|[place, _]| -*place).collect();
             let change = least_change(rows, &wanted, held);
-            set(&mut step, change.into_iter());
+            set(&mut step, change);
             shorten(&mut step);
             let mut length = RealOf::<S>::zero();
             motion.position.measure(&step, &mut |x, size| {
