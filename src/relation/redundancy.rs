@@ -3,6 +3,9 @@
 /// How small a pivot of Λ may be, as a share of its measure, where closures are independent: rounding leaves 1e-16 of a dependent
 /// one, and a mechanism must come within 1e-5 rad of a singular place to have 1e-10.
 const SMALLEST: f64 = 1e-10;
+/// The same where some closures are known to follow from others. A stage of a step is off the place where they do by what the rule has left out, which
+/// leaves their pivots the square of that: were these taken for independent, what they miss would be divided by next to nothing.
+const FOLLOWING: f64 = 1e-5;
 /// The smallest share for numbers that round coarsely, in roundings: straight chains of up to a thousand rods leave less of a
 /// dependent pivot, and chains that are straight but for a thousandth of a radian have more.
 const ROUNDINGS: f64 = 8.0;
@@ -10,6 +13,11 @@ const ROUNDINGS: f64 = 8.0;
 /// How small a pivot may be, as a share of its measure, for numbers of this rounding.
 pub(super) fn smallest_share(rounding: f64) -> f64 {
     SMALLEST.max(ROUNDINGS * rounding)
+}
+
+/// How small a pivot may be, as a share of its measure, where some are known to follow from others.
+pub(super) fn following_share(rounding: f64) -> f64 {
+    FOLLOWING.max(smallest_share(rounding))
 }
 
 /// Whether a pivot can be measured by this: not where no body has mass, or no extent to turn.

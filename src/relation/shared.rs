@@ -2,7 +2,7 @@
 
 use super::closure::{Closures, Cut, Cuts, Solvable};
 use super::looped::{LoopGain, Looped, Own};
-use super::redundancy::smallest_share;
+use super::redundancy::following_share;
 use crate::scalar::{Elementary, Real, Scalar};
 use num_traits::Zero;
 
@@ -81,7 +81,7 @@ fn root_of_inverse<T: Scalar, const L: usize>(compliance: &[[T; L]; L], measure:
     let mut waiting = [true; L];
     let by = |i: usize| if measure[i] > T::Real::zero() { measure[i] } else { whole(i, i).real() };
     let largest = (0..L).fold(T::Real::EPSILON.sqrt(), |most, i| (whole(i, i).real() / by(i)).max(most));
-    let least = T::Real::of(smallest_share(T::Real::EPSILON.as_f64())) * largest;
+    let least = T::Real::of(following_share(T::Real::EPSILON.as_f64())) * largest;
     while rank < L {
         // What the elimination of the others has left of each.
         let share = |i: usize| rest[i][i].real() / by(i);

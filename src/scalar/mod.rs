@@ -66,6 +66,16 @@ pub trait Elementary: Sized {
     /// Sine and cosine, without branches.
     fn sin_cos(self) -> (Self, Self);
 
+    /// Sine alone, at the price of both.
+    fn sin(self) -> Self {
+        self.sin_cos().0
+    }
+
+    /// Cosine alone, at the price of both.
+    fn cos(self) -> Self {
+        self.sin_cos().1
+    }
+
     /// Angle of the point `(x, self)` from the positive x axis in rad, in (−π, π].
     fn atan2(self, x: Self) -> Self;
 

@@ -11,9 +11,16 @@ pub(super) fn margin<T: Scalar>(mode: Mode, rate: T, told: &Told<T>) -> f64 {
         Mode::Sticks | Mode::Struck | Mode::Halts => 1.0 - guard.abs(),
         Mode::Swings | Mode::Lands | Mode::Rebounds => distance(told),
         Mode::RestsBelow | Mode::RestsAbove => Mode::reluctance::<T::Real>().as_f64() - guard,
+        Mode::SlipsForward | Mode::SlipsBack if idles(rate, told) => 0.0,
         Mode::SlipsForward | Mode::SlipsBack if nears(mode, told) => forward(mode, rate).min(distance(told)),
         Mode::SlipsForward | Mode::SlipsBack => forward(mode, rate),
     }
+}
+
+/// Whether a joint that slips stands still, and is not about to move: what all others hold, whichever way it slips.
+fn idles<T: Scalar>(rate: T, told: &Told<T>) -> bool {
+    let [rate, second] = [rate, told.rate].map(|x| x.real().abs());
+    rate <= Mode::touch() && second <= Mode::reluctance()
 }
 
 /// The rate of a joint that slips, or its acceleration, the way it slips.

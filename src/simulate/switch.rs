@@ -153,14 +153,20 @@ where
     pub(super) fn settle_modes(&mut self, changed: Option<usize>) -> Result<(), Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, mut least, mut changes) = (Dynamics::<L>::workspace(system), 0, CHANGES);
+        let mut prescribed = false;
         let next = &mut self.next;
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |_, _, _| changes += 1);
         for _ in 0..changes {
             if let Err(error) = system.accelerate(&mut self.next, loads, &mut workspace) {
-                if matches!(error.fault, Fault::RedundantClosures { .. }) && self.slip_as_prescribed() {
+                if !matches!(error.fault, Fault::RedundantClosures { .. }) {
+                    return Err(error);
+                }
+                if self.slip_as_prescribed() {
+                    prescribed = true;
                     continue;
                 }
-                return Err(self.overlocked(error));
+                // A method that finds modes itself begins with any.
+                return if K::SWITCHES { self.accelerated().map(|_| ()) } else { Err(self.overlocked(error)) };
             }
             let next = &mut self.next;
             // Held least, or pushed back where it is about to move: by rounding alone, if another joint that breaks away too takes it along.
@@ -174,7 +180,8 @@ where
                 let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && rate.real().is_zero();
                 let second = if slips { forward(*mode, told.rate) } else { 0.0 };
                 let back = second < rounding;
-                if second < 0.0 && !just {
+                // What all others hold does not move but for rounding, whichever way.
+                if second < 0.0 && !just && !prescribed {
                     faint = Some(count);
                 }
                 if let Some(now) = if back { Some(Mode::Sticks) } else { resting } {

@@ -72,7 +72,7 @@ impl<D: StiffDynamics<L>, L> MoreauJeanStepper<D, L> {
         if const { D::Position::MODES } {
             position.each_mode(rate, zero, &mut |mode, rate, told| *mode = begun(*mode, *rate, told.rubs));
         }
-        let mut pivoting = Pivoting::new::<TimeIn<D, L>>();
+        let mut pivoting = Pivoting::new::<TimeIn<D, L>>(D::CLOSED);
         loop {
             let (at, free) = ((&past.position, &past.rate), (&*position, &*rate));
             // Laws that are not linear, and contacts, are read where the step leads without accelerations.

@@ -1,5 +1,6 @@
 //! Motions closed by moving what the user did not fix.
 
+use super::dynamics::Dynamics;
 use super::hold::{CORRECTIONS, shorten};
 use super::least_change::least_change;
 use super::linear::{numbers, set, unit};
@@ -113,7 +114,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         } else {
             self.close_places(&mut motion, &positions)?;
             self.close_rates(&mut motion, &rates)?;
-            motion = self.with_accelerations(motion, loads)?;
+            self.accelerate_held(&mut motion, loads, &mut self.workspace())?;
         }
         let mut displacement = guess.rate.clone();
         motion.position.apart(&guess.position, &mut displacement);

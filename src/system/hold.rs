@@ -94,12 +94,26 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let outcome = self.close(motion, loads, workspace);
         motion.position.each_mode(&mut modes, &motion.acceleration, &mut |mode, kept, _| *mode = Mode::numbered(*kept));
         outcome?;
+        self.accelerate_held(motion, loads, workspace)
+    }
+
+    /// Finds the accelerations of a motion that is closed. Where more joints stick than closures leave free to move all are let go: what they do
+    /// is for the run to find.
+    pub(super) fn accelerate_held<L: Loading<S>>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        loads: &L,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
+    ) -> Result<(), Error>
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
         let accelerated = self.accelerate(motion, loads, workspace);
-        if !matches!(accelerated, Err(Error { fault: Fault::RedundantClosures { .. }, .. })) {
+        let overlocked = matches!(accelerated, Err(Error { fault: Fault::RedundantClosures { .. }, .. }));
+        if !(PositionOf::<S, R, C>::MODES && overlocked) {
             return accelerated;
         }
-        // More joints stick than closures leave free to move: what they do is for the run to find.
-        let_all_go(&mut motion.position, &mut modes, &motion.acceleration);
+        let_all_go(&mut motion.position, &mut motion.rate, &motion.acceleration);
         self.accelerate(motion, loads, workspace)
     }
 

@@ -171,3 +171,61 @@ fn friction_turns_round_with_the_pins_of_a_driven_mechanism() -> Result<(), Box<
     }
     Ok(())
 }
+
+/// A loop of one freedom with a stop in one joint and friction in another: where the one rests the other one is held, too, whichever way it slips.
+#[test]
+fn a_loop_rests_at_the_stop_of_one_joint_with_friction_in_another() -> Result<(), Box<dyn std::error::Error>> {
+    let (bar, pin) = (|length: f64| Rod::uniform(length, length), Revolute::smooth());
+    for (restitution, friction) in [(0.0, 0.4), (0.3, 1e-6), (0.3, 0.01), (0.3, 0.4)] {
+        let crank = HardStops::between(pin, [-1.0, 1.3]).rebounding(restitution);
+        let side = (RigidBody::massless([1.0, 0.0]), Coulomb::new(pin, friction), bar(0.9));
+        let net = Network::new((crank, bar(0.5), Pin, bar(1.2)), side, Pin);
+        let scene = System::new(Clamped::origin(), net, Free)?.with_gravity(9.81);
+        let start = scene.assembled(scene.at_rest(&[1.0, 0.3, 1.2])?, &Unloaded)?;
+        macro_rules! rests {
+            ($rule:expr) => {{
+                let (mut last, mut rise) = (f64::INFINITY, 0.0_f64);
+                let run = scene.simulation($rule).run(start.clone(), 3.0, |now| {
+                    rise = rise.max(now.energy() - last);
+                    last = now.energy();
+                })?;
+                let (places, rates) = (run.motion.coordinates(), run.motion.rates());
+                println!("{restitution}, {friction}: {} steps, {places:?}, {rates:?}, rises by {rise:.1e}", run.steps);
+                assert!((places[0] + 1.0).abs() < 1e-12 && rates.iter().all(|rate| rate.abs() < 1e-12));
+                rise
+            }};
+        }
+        assert!(rests!(Dop853::tolerance(1e-6)) < 1e-6);
+        assert!(rests!(Dop853::tolerance(1e-9)) < 1e-9);
+        rests!(MoreauJean::step(0.01));
+        rests!(MoreauJean::step(0.001));
+    }
+    Ok(())
+}
+
+/// More joints stick at rest than the mechanism has freedoms: it is assembled, with or without what is held, and steps in real time begin there.
+#[test]
+fn a_mechanism_whose_pins_all_stick_is_assembled_and_stepped() -> Result<(), Box<dyn std::error::Error>> {
+    let (bar, pin) =
+        (|length: f64| Rod::uniform(length, length), |friction| Coulomb::new(Revolute::smooth(), friction));
+    for friction in [0.2, 20.0] {
+        let side = (RigidBody::massless([1.0, 0.0]), pin(friction), bar(0.9));
+        let net = Network::new((pin(friction), bar(0.5), Pin, bar(1.2)), side, Pin);
+        let scene = System::new(Clamped::origin(), net, Free)?.with_gravity(9.81);
+        let guess = scene.at_rest(&[1.0, 0.3, 1.2])?;
+        let held = scene.assembled_holding(guess.clone(), catena::system::Holding::both(&[0]), &Unloaded)?.motion;
+        let start = scene.assembled(guess, &Unloaded)?;
+        assert_eq!(held.coordinates()[0], 1.0);
+        for start in [held, start] {
+            let end = scene.simulation(MoreauJean::step(1e-3)).run(start.clone(), 0.1, |_| ())?.motion;
+            let moved = end
+                .coordinates()
+                .iter()
+                .zip(start.coordinates())
+                .fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
+            println!("friction {friction}: moves by {moved:.1e}");
+            assert_eq!(moved > 1e-3, friction < 1.0);
+        }
+    }
+    Ok(())
+}

@@ -24,6 +24,8 @@ const MISSED: f64 = 0.01;
 
 /// Passes so far.
 pub(super) struct Pivoting {
+    /// Whether closures may leave less free to move than there are joints.
+    closed: bool,
     passes: usize,
     fewest: usize,
     patience: usize,
@@ -35,9 +37,10 @@ pub(super) struct Pivoting {
 }
 
 impl Pivoting {
-    /// Before the first pass of a step.
-    pub(super) fn new<R: Real>() -> Self {
+    /// Before the first pass of a step of a scene in which something is held or closed, or is not.
+    pub(super) fn new<R: Real>(closed: bool) -> Self {
         Self {
+            closed,
             passes: 0,
             fewest: usize::MAX,
             patience: PATIENCE,
@@ -80,7 +83,7 @@ impl Pivoting {
             let [before, change] = [*rate, told.rate.scale(dt)].map(|x| x.real().as_f64().abs());
             self.largest = self.largest.max(before).max(change);
         });
-        let still = self.still * self.largest;
+        let still = (self.still * self.largest).max(Mode::touch::<T::Real>().as_f64());
         let (mut wrong, mut joints, mut first) = (0, 0, 0);
         position.each_mode(rate, found, &mut |mode, rate, told| {
             if changed(*mode, *rate, &told, (dt, still)).is_some() {
@@ -101,7 +104,14 @@ impl Pivoting {
         }
         self.passes += 1;
         if self.passes > LOOSE[0] + LOOSE[1] * joints {
-            self.still = MISSED; // more may be held than closures leave free but for rounding
+            self.still = MISSED;
+            // More may be held than closures leave free, but for rounding: choices by least index would not end.
+            if self.closed && self.turns.is_none() {
+                self.turns = Some(0);
+                if let_last_go(position, rate, found) {
+                    return Ok(false);
+                }
+            }
         }
         if self.passes > PASSES[0] + PASSES[1] * joints {
             return Err(first);
