@@ -185,7 +185,7 @@ fn a_loop_rests_at_the_stop_of_one_joint_with_friction_in_another() -> Result<()
         macro_rules! rests {
             ($rule:expr) => {{
                 let (mut last, mut rise) = (f64::INFINITY, 0.0_f64);
-                let run = scene.simulation($rule).run(start.clone(), 3.0, |now| {
+                let run = scene.simulation($rule).run(start, 3.0, |now| {
                     rise = rise.max(now.energy() - last);
                     last = now.energy();
                 })?;
@@ -213,11 +213,11 @@ fn a_mechanism_whose_pins_all_stick_is_assembled_and_stepped() -> Result<(), Box
         let net = Network::new((pin(friction), bar(0.5), Pin, bar(1.2)), side, Pin);
         let scene = System::new(Clamped::origin(), net, Free)?.with_gravity(9.81);
         let guess = scene.at_rest(&[1.0, 0.3, 1.2])?;
-        let held = scene.assembled_holding(guess.clone(), catena::system::Holding::both(&[0]), &Unloaded)?.motion;
+        let held = scene.assembled_holding(guess, catena::system::Holding::both(&[0]), &Unloaded)?.motion;
         let start = scene.assembled(guess, &Unloaded)?;
         assert_eq!(held.coordinates()[0], 1.0);
         for start in [held, start] {
-            let end = scene.simulation(MoreauJean::step(1e-3)).run(start.clone(), 0.1, |_| ())?.motion;
+            let end = scene.simulation(MoreauJean::step(1e-3)).run(start, 0.1, |_| ())?.motion;
             let moved = end
                 .coordinates()
                 .iter()
