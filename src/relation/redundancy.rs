@@ -3,7 +3,7 @@
 /// How small a pivot of Λ may be, as a share of its measure, where closures are independent: rounding leaves 1e-16 of a dependent
 /// one, and a mechanism must come within 1e-5 rad of a singular place to have 1e-10.
 const SMALLEST: f64 = 1e-10;
-/// The same where some closures are known to follow from others. A stage of a step is off the place where they do by what the rule has left out, which
+/// How small a pivot may be, as a share of its measure, where some closures are known to follow from others. A stage of a step is off the place where they do by what the rule has left out, which
 /// leaves their pivots the square of that: were these taken for independent, what they miss would be divided by next to nothing.
 const FOLLOWING: f64 = 1e-5;
 /// The smallest share for numbers that round coarsely, in roundings: straight chains of up to a thousand rods leave less of a
