@@ -225,7 +225,7 @@ fn lists_have_the_length_they_need() {
     let found = fault(backward.run(&start, 0.01, 10, &[0.0; 19], &mut [start; 11]));
     assert!(matches!(found, Fault::Count { expected: 20, given: 19, .. }), "{found:?}");
     let found = fault(backward.run(&start, f64::NAN, 10, &[], &mut [start; 11]));
-    assert!(matches!(found, Fault::NonFiniteMotion), "{found:?}");
+    assert!(matches!(found, Fault::NotPositive { parameter: "step size", .. }), "{found:?}");
     let found = fault(backward.gradient(&[], &[start; 3], &mut [0.0; 3], |_, _, _| Ok(())).map(|_| ()));
     assert!(matches!(found, Fault::Count { expected: 4, given: 3, .. }), "{found:?}");
     let found = fault(backward.gradient(&[], &[start; 3], &mut [], |_, _, by| by.add(&[1.0], &[])).map(|_| ()));

@@ -94,7 +94,7 @@ fn checkpoints_and_tape_say_how_many_are_needed() {
     let found = backward.run_on_tape(&start, 0.01, 7, &[], &mut tape, &mut end).unwrap_err().fault;
     assert!(matches!(found, Fault::Count { expected: 7, given: 6, .. }), "{found:?}");
     let found = backward.run_on_tape(&start, f64::NAN, 6, &[], &mut tape, &mut end).unwrap_err().fault;
-    assert!(matches!(found, Fault::NonFiniteMotion), "{found:?}");
+    assert!(matches!(found, Fault::NotPositive { parameter: "step size", .. }), "{found:?}");
 }
 
 /// A million steps of twenty rods by RK4, all that is kept of them.
