@@ -23,7 +23,7 @@ mod laws;
 mod loads;
 
 pub use laws::{ExpandLaw, Strain};
-pub use loads::{Borne, ExpandBody, ExpandLoad, ExpandLoads, Setting};
+pub use loads::{Borne, BorneOf, ExpandBody, ExpandLoad, ExpandLoads, Setting};
 
 use crate::element::{Element, Space};
 use crate::relation::{AccelerationOf, Closures, Open, WrenchOf};

@@ -6,7 +6,7 @@ use crate::lift::lift;
 use crate::relation::{Absent, Additive, Geometry, Part};
 use crate::scalar::{Real, Scalar};
 use crate::sealed::Sealed;
-use crate::space::{RealOf, Space};
+use crate::space::{MovingBody, RealOf, Space};
 
 /// The motion of a body or joint at an instant, which tells the space that it belongs to and what can act there.
 pub trait Seen: Sealed + Copy {
@@ -171,6 +171,19 @@ pub trait TimeLaw<R: Real> {
 /// A [`TimeLaw`] as the law of what acts in joints; a [`LoadLaw`] written for any number as that of what acts on bodies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct OverTime<F>(pub F);
+
+impl<M: Seen + MovingBody<M::Space>, L: LoadLaw<M>> LoadLaw<M> for OverTime<L> {
+    type Value = L::Value;
+    fn at(&self, time: RealOf<M::Space>, body: usize, motion: &M) -> L::Value {
+        self.0.at(time, body, motion)
+    }
+    fn over_time(&self, time: <M::Space as Geometry>::Scalar, body: usize, motion: &M) -> L::Value {
+        self.0.over_time(time, body, motion)
+    }
+    fn check(&self, bodies: usize) -> Result<(), Fault> {
+        self.0.check(bodies)
+    }
+}
 
 /// Laws of efforts in joints whose values have power series in time.
 pub trait SeriesLaw<M: Seen>: LoadLaw<M> {

@@ -20,10 +20,8 @@ use crate::space::{RealOf, Space, SpaceOver};
 pub trait ExpandLoads<S: Expandable, const N: usize>: Loading<S> {
     /// Whether loads are functions of time or motion.
     const OVER_TIME: bool;
-    /// What is kept of what acts on a body.
-    type Borne: Borne<S>;
     /// What acts on bodies.
-    type OnBodies: ExpandLoad<S, N, Borne = Self::Borne>;
+    type OnBodies: ExpandLoad<S, N>;
 
     /// What acts on bodies.
     fn on_bodies(&self) -> &Self::OnBodies;
@@ -33,7 +31,6 @@ pub trait ExpandLoads<S: Expandable, const N: usize>: Loading<S> {
 
 impl<S: Expandable, const N: usize> ExpandLoads<S, N> for Unloaded {
     const OVER_TIME: bool = false;
-    type Borne = Absent;
     type OnBodies = Absent;
 
     fn on_bodies(&self) -> &Absent {
@@ -52,7 +49,6 @@ where
     Self: Loading<S, InJoint = J::Value>,
 {
     const OVER_TIME: bool = B::READS || J::OVER_TIME;
-    type Borne = B::Borne;
     type OnBodies = B;
 
     fn on_bodies(&self) -> &B {
@@ -84,6 +80,9 @@ pub trait ExpandLoad<S: Expandable, const N: usize>: LoadLaw<S::BodyMotion> {
     /// Finds so many coefficients more, and those before again: gives whether these are as they were.
     fn go_on(&self, lifted: &Self::Lifted, at: &Setting<S>, body: usize, more: usize, borne: &mut Self::Borne) -> bool;
 }
+
+/// What is kept of a load on a body, of loads `L`.
+pub type BorneOf<S, L, const N: usize> = <<L as ExpandLoads<S, N>>::OnBodies as ExpandLoad<S, N>>::Borne;
 
 /// Where loads have set out.
 pub struct Setting<S: Space> {

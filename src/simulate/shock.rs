@@ -67,24 +67,18 @@ where
         while let Some((mode, rate, told)) = Self::joint(&mut self.next, joint) {
             let moving = mode.moving(told.rubs);
             if let Some(side) = touched(moving, &told) {
-                let into = side * rate.real().as_f64() > still;
-                let held = mode.stop().is_some();
-                if held {
+                if mode.stop().is_some() {
                     self.set_mode(joint, moving);
                     self.hold(before)?;
                     let loose = Self::joint(&mut self.next, joint);
                     if loose.is_some_and(|(_, rate, _)| side * rate.real().as_f64() < -still) {
                         return Ok(true);
                     }
-                }
-                if held || into {
                     self.set_mode(joint, Mode::resting(side));
-                }
-                if into {
-                    return Ok(true);
-                }
-                if held {
                     self.hold(before)?;
+                } else if side * rate.real().as_f64() > still {
+                    self.set_mode(joint, Mode::resting(side));
+                    return Ok(true);
                 }
             }
             joint += 1;

@@ -40,7 +40,8 @@ where
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
     /// Changes rates until no joint that touches its stop moves into it, and finds the modes that follow. Joints that strike at one instant do so
-    /// one after another, the fastest first, as long as they are few; then all [at once](Self::hold_back). No finite force bears a shock, so that what sticks or rests moves meanwhile.
+    /// one after another, the fastest first, as long as they are few; then all [at once](Self::hold_back). No finite force bears a shock, so that what
+    /// sticks or rests moves meanwhile.
     pub(super) fn strike(&mut self) -> Result<(), Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, next) = (Dynamics::<L>::workspace(system), &mut self.next);
@@ -52,7 +53,7 @@ where
         let rounding = largest * RealOf::<S>::EPSILON.as_f64() * ROUNDINGS;
         let still = rounding.max(Mode::touch::<RealOf<S>>().as_f64());
         let mut joint = 0;
-        // The last one after that has nothing to do but for joints that are still.
+        // After these all are brought to rest, and seen to be.
         for count in 0..BLOWS + 2 {
             let next = &mut self.next;
             system.accelerate(next, loads, &mut workspace)?;

@@ -47,11 +47,15 @@ fn check<D: Dynamics<L>, L>(
     if !(past.fits(still) && past.fits(next)) {
         return Err(Error::new(Fault::Shape));
     }
-    if dt.is_finite() && dt > Zero::zero() {
-        Ok(())
-    } else {
-        Err(Error::new(Fault::NotPositive { parameter: "step size", value: dt.as_f64() }))
+    advances(dt)
+}
+
+/// Refuses a step that does not go on.
+pub(crate) fn advances<R: Real>(step: R) -> Result<(), Error> {
+    if step.is_finite() && step > R::zero() {
+        return Ok(());
     }
+    Err(Error::new(Fault::NotPositive { parameter: "step size", value: step.as_f64() }))
 }
 
 /// Refuses a joint whose mode has another sign than its rate, which friction would drive, and one that leaves the range between its stops. Of

@@ -7,7 +7,7 @@ use crate::ends::{ExpandTip, Resting, Root, Tip};
 use crate::loading::LoadLaw;
 use crate::relation::{Acceleration, AccelerationOf, Closures, Cuts, Geometry, LoopGain, Open, Own, Wrench, WrenchOf};
 use crate::scalar::Scalar;
-use crate::series::{Expand, ExpandLoad, ExpandLoads, Expandable, Order, Setting};
+use crate::series::{BorneOf, Expand, ExpandLoad, ExpandLoads, Expandable, Order, Setting};
 use crate::shape::{Columns, PerAxes, PerBody, PerJoint, Shape, Takes};
 use crate::walks::series::{Articulate, Begin, Push, Recite, SetOut, Swing, Weigh};
 use crate::walks::size::sizes;
@@ -74,7 +74,7 @@ pub struct SeriesRoom<S: Expandable, E: Shape<S>, L: ExpandLoads<S, N>, O: Own, 
     axes: E::Store<PerAxes<S::AxesSeries<N>>>,
     joints: E::Store<PerJoint<S::JointSeries<N>>>,
     efforts: E::Store<PerJoint<[L::InJoint; N]>>,
-    bodies: E::Store<PerBody<L::Borne>>,
+    bodies: E::Store<PerBody<BorneOf<S, L, N>>>,
     columns: E::Store<Columns<O>>,
     /// Of the forces that hold the tip.
     gain: LoopGain<WrenchOf<S>, S::Scalar, Open, O>,
@@ -113,7 +113,7 @@ impl<S: Expandable, R: Root<S>, C: Element<S>, P: ExpandTip<S>> System<S, R, C, 
         time: RealOf<S>,
         loads: &L,
         more: usize,
-        bodies: &mut <Elements<S, R, C> as Shape<S>>::Store<PerBody<L::Borne>>,
+        series: &mut SeriesRoom<S, Elements<S, R, C>, L, P::Closures, N>,
     ) -> (bool, bool) {
         if const { !L::OnBodies::ON } {
             return (true, true);
@@ -121,7 +121,7 @@ impl<S: Expandable, R: Root<S>, C: Element<S>, P: ExpandTip<S>> System<S, R, C, 
         let loads = loads.on_bodies();
         let (lifted, at) = (loads.lifted(), Setting { time, gravity: self.gravity });
         let mut walk = Weigh::<S, L, N> { loads, lifted: &lifted, at: &at, more, body: 0, same: true, finite: true };
-        self.chain.outward(&mut walk, (), (bodies,));
+        self.chain.outward(&mut walk, (), (&mut series.bodies,));
         (walk.same, walk.finite)
     }
 }
@@ -198,7 +198,7 @@ where
     ) -> bool {
         let mut finite = true;
         for (k, acceleration) in accelerations.iter_mut().enumerate() {
-            finite &= self.weigh::<L, N>(time, loads, 1, &mut series.bodies).1;
+            finite &= self.weigh(time, loads, 1, series).1;
             self.coefficients_of::<L, N, false>(k + 1, Acceleration::zero(), series, acceleration);
         }
         finite
@@ -206,7 +206,7 @@ where
 
     fn agrees(&self, time: RealOf<S>, loads: &L, asked: usize, series: &mut Self::Series) -> bool {
         let same = recite::<S, _, L, N>(&self.chain, time, loads, asked, &mut series.efforts);
-        self.weigh::<L, N>(time, loads, 0, &mut series.bodies).0 && same
+        self.weigh(time, loads, 0, series).0 && same
     }
 }
 

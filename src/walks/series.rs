@@ -6,7 +6,7 @@ mod loops;
 pub use loads::{SetOut, Weigh};
 
 use crate::relation::{Closures, Cuts, Open, Part, WrenchOf};
-use crate::series::{ExpandLoads, Expandable, Order};
+use crate::series::{BorneOf, ExpandLoads, Expandable, Order};
 use crate::shape::{
     Arm, AtBody, AtClosing, AtJoint, Body, Closing, Columns, Joint, Mut, Outward, PerAxes, PerBody, PerJoint,
     Positions, Rates, Ref, Selective, Walk, Way, alike, alike_in_arms,
@@ -83,7 +83,7 @@ impl<S: Expandable, C: Closures, const N: usize> Selective<S> for Articulate<S, 
 impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Walk<S> for Push<S, L, N, C> {
     type Carried = S::Pushed;
     /// What is kept; coefficients of efforts; loads on bodies.
-    type Stores = (Kept<S, C, N>, Ref<PerJoint<[L::InJoint; N]>>, Ref<PerBody<L::Borne>>);
+    type Stores = (Kept<S, C, N>, Ref<PerJoint<[L::InJoint; N]>>, Ref<PerBody<BorneOf<S, L, N>>>);
 }
 
 impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Selective<S> for Push<S, L, N, C> {
@@ -100,7 +100,7 @@ impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Selective
 impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Walk<S> for Swing<S, L, N, C> {
     type Carried = S::Swung;
     /// What is kept; accelerations; loads on bodies.
-    type Stores = (Kept<S, C, N>, Mut<Rates>, Mut<PerBody<L::Borne>>);
+    type Stores = (Kept<S, C, N>, Mut<Rates>, Mut<PerBody<BorneOf<S, L, N>>>);
 }
 
 impl<S: Expandable, L: ExpandLoads<S, N>, C: Closures, const N: usize> Selective<S> for Swing<S, L, N, C> {

@@ -1,7 +1,6 @@
 //! What acts on planar scenes besides gravity.
 
 use super::{BodyMotion, Frame, JointMotion, Planar};
-use crate::error::Fault;
 use crate::lift::Lift;
 use crate::loading::{LoadLaw, OverTime, Seen, SeriesLaw, TimeLaw};
 use crate::relation;
@@ -79,18 +78,5 @@ impl<T: Scalar, F: TimeLaw<T::Real>> LoadLaw<JointMotion<T>> for OverTime<F> {
 impl<T: Scalar, F: TimeLaw<T::Real>> SeriesLaw<JointMotion<T>> for OverTime<F> {
     fn series<const N: usize>(&self, time: T::Real, joint: usize, asked: usize) -> [T; N] {
         self.0.at(Powers::<T, N>::variable(T::constant(time), asked), joint).terms()
-    }
-}
-
-impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> LoadLaw<BodyMotion<T>> for OverTime<L> {
-    type Value = L::Value;
-    fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> L::Value {
-        self.0.at(time, body, motion)
-    }
-    fn over_time(&self, time: T, body: usize, motion: &BodyMotion<T>) -> L::Value {
-        self.0.over_time(time, body, motion)
-    }
-    fn check(&self, bodies: usize) -> Result<(), Fault> {
-        self.0.check(bodies)
     }
 }

@@ -1,7 +1,6 @@
 //! What acts on spatial scenes besides gravity.
 
 use super::{BodyMotion, Frame, JointMotion, Spatial};
-use crate::error::Fault;
 use crate::lift::Lift;
 use crate::loading::{LoadLaw, OverTime, Seen, SeriesLaw, TimeLaw};
 use crate::relation::spatial::Couple;
@@ -150,18 +149,5 @@ impl<T: Scalar, F: TimeLaw<T::Real>> SeriesLaw<JointMotion<T>> for OverTime<F> {
         let time = Powers::<T, N>::variable(T::constant(time), asked);
         let [first, second, third] = self.0.in_space(time, joint).map(Powers::terms);
         core::array::from_fn(|k| Effort([first[k], second[k], third[k]]))
-    }
-}
-
-impl<T: Scalar, L: LoadLaw<BodyMotion<T>>> LoadLaw<BodyMotion<T>> for OverTime<L> {
-    type Value = L::Value;
-    fn at(&self, time: T::Real, body: usize, motion: &BodyMotion<T>) -> L::Value {
-        self.0.at(time, body, motion)
-    }
-    fn over_time(&self, time: T, body: usize, motion: &BodyMotion<T>) -> L::Value {
-        self.0.over_time(time, body, motion)
-    }
-    fn check(&self, bodies: usize) -> Result<(), Fault> {
-        self.0.check(bodies)
     }
 }

@@ -4,17 +4,16 @@ use super::Backward;
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Ties};
-use crate::element::{Element, RealOf, Unloaded};
+use crate::element::{Element, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
 use crate::loading::{EffortOf, Loading};
 use crate::mirror::Position;
 use crate::relation::Absent;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Real;
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, PositionOf, Runs, System};
 use crate::walks::fits::fits;
-use num_traits::Zero;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
@@ -66,14 +65,6 @@ where
             return Err(Error::new(Fault::Unsupported { what }));
         }
         self.suits(steps, given)
-    }
-
-    /// Refuses a step that does not go on.
-    pub(super) fn advances(step: RealOf<S>) -> Result<(), Error> {
-        if step.is_finite() && step > Zero::zero() {
-            return Ok(());
-        }
-        Err(Error::new(Fault::NotPositive { parameter: "step size", value: step.as_f64() }))
     }
 
     /// Refuses lists of torques of another length, parameters that make no rule, and a law of loads that does not fit the scene.

@@ -10,6 +10,7 @@ use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::scalar::Real;
+use crate::stepper::advances;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use core::ops::Range;
 
@@ -217,7 +218,7 @@ where
 
     /// Refuses lists of torques and states that a plan has no use for.
     fn planned(&self, plan: Checkpoints<RealOf<S>>, torques: usize, given: usize) -> Result<(), Error> {
-        Self::advances(plan.step)?;
+        advances(plan.step)?;
         let expected = plan.states();
         if given < expected {
             return Err(Error::new(Fault::Count { list: "states", expected, given }));

@@ -10,6 +10,7 @@ use crate::loading::{EffortOf, Seen};
 use crate::mirror::Rate;
 use crate::relation::Geometry;
 use crate::scalar::{Pack, Scalar};
+use crate::stepper::advances;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use crate::walks::unspread;
 use num_traits::{One, Zero};
@@ -38,7 +39,7 @@ where
             return Err(Error::new(Fault::Shape));
         }
         let (rows, joints) = (2 * past.rate_count(), self.steps.scene.joints());
-        Self::advances(size)?;
+        advances(size)?;
         self.admits(1, torques.len())?;
         counted("derivatives by the state", rows * rows, by_state)?;
         if by_torques > 0 {

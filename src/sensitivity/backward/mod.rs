@@ -37,6 +37,7 @@ use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
 use crate::scalar::Real;
+use crate::stepper::advances;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 pub use checkpoints::Checkpoints;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -210,7 +211,7 @@ where
         torques: &[EffortOf<S>],
         states: &mut [MotionOf<S, R, C, P>],
     ) -> Result<(), Error> {
-        Self::advances(step)?;
+        advances(step)?;
         self.admits(steps, torques.len())?;
         let given = states.len();
         let Some(states) = states.get_mut(..=steps) else {

@@ -12,6 +12,7 @@ use crate::loading::EffortOf;
 use crate::relation::Absent;
 use crate::scalar::Real;
 use crate::shape::PerJoint;
+use crate::stepper::advances;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use crate::walks::copy::copy;
 use core::ops::Range;
@@ -65,7 +66,7 @@ where
         tape: &mut [Tape<S, R, C, P, M, L>],
         end: &mut MotionOf<S, R, C, P>,
     ) -> Result<(), Error> {
-        Self::advances(step)?;
+        advances(step)?;
         self.admits(steps, torques.len())?;
         let given = tape.len();
         let Some(tape) = tape.get_mut(..steps) else {

@@ -1,6 +1,6 @@
 //! Loads on bodies, of a motion's Taylor series.
 
-use crate::series::{Borne, ExpandLoad, ExpandLoads, Expandable, Setting};
+use crate::series::{Borne, BorneOf, ExpandLoad, ExpandLoads, Expandable, Setting};
 use crate::shape::{AtBody, AtJoint, Body, Joint, Mut, Outward, PerBody, Walk, alike};
 use crate::space::RealOf;
 use crate::visit::Visit;
@@ -47,7 +47,7 @@ pub struct Weigh<'l, S: Expandable, L: ExpandLoads<S, N>, const N: usize> {
 
 impl<S: Expandable, L: ExpandLoads<S, N>, const N: usize> Walk<S> for Weigh<'_, S, L, N> {
     type Carried = ();
-    type Stores = (Mut<PerBody<L::Borne>>,);
+    type Stores = (Mut<PerBody<BorneOf<S, L, N>>>,);
 }
 
 impl<S: Expandable, L: ExpandLoads<S, N>, const N: usize> Outward<S> for Weigh<'_, S, L, N> {
