@@ -20,8 +20,11 @@ use crate::scalar::{Real, Scalar};
 ///
 /// Any joint with one coordinate can have such friction, in the plane, in space and of robots, and a spring, damper or law beside it. Runs over
 /// lanes are refused, for each would change modes at times of its own. So are equilibria and modes of vibration, for a joint
-/// that sticks rests anywhere within what friction holds, and mechanisms that come to rest with more such joints than they have freedoms: what
-/// each of them bears is not determined. Where drives leave nothing free to move, joints slip on as these say.
+/// that sticks rests anywhere within what friction holds. Where drives leave nothing free to move, joints slip on as these say.
+///
+/// Mechanisms may come to rest with more such joints than they have freedoms. As many stick as there are freedoms, the others bear all of the friction
+/// of their slips, one way or the other, which is one of many answers: that it holds, and when it breaks away, is the same for all of them, if a joint breaks away at
+/// what it slips with. Where it takes more to break a joint away, this counts for those that stick.
 ///
 /// Runs over jets and dual numbers have the first derivatives of what happens, as those of [`HardStops`], and so do
 /// [gradients backward](crate::sensitivity::Backward::course). Where a joint breaks away from more

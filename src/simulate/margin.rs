@@ -11,7 +11,7 @@ pub(super) fn margin<T: Scalar>(mode: Mode, rate: T, told: &Told<T>) -> f64 {
         Mode::Sticks | Mode::Struck | Mode::Halts => 1.0 - guard.abs(),
         Mode::Swings | Mode::Lands | Mode::Rebounds => distance(told),
         Mode::RestsBelow | Mode::RestsAbove => Mode::reluctance::<T::Real>().as_f64() - guard,
-        Mode::SlipsForward | Mode::SlipsBack if idles(rate, told) => 0.0,
+        Mode::SlipsForward | Mode::SlipsBack if idles(rate, told) => f64::INFINITY,
         Mode::SlipsForward | Mode::SlipsBack if nears(mode, told) => forward(mode, rate).min(distance(told)),
         Mode::SlipsForward | Mode::SlipsBack => forward(mode, rate),
     }

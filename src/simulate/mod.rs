@@ -21,6 +21,7 @@ mod saved;
 mod shock;
 mod shown;
 mod strike;
+mod surplus;
 mod switch;
 mod trials;
 

@@ -36,8 +36,8 @@ where
     /// Whether steps end where a mode of such a joint changes.
     pub(super) const CUTS: bool = Self::MODES && !K::SWITCHES;
 
-    /// Finds the accelerations of the start; whether a method that finds itself what joints do has some that stick let go for it, the last first,
-    /// where they are more than closures leave free to move.
+    /// Finds accelerations. Where more joints stick than closures leave free to move, their modes are [found](Self::share_surplus); for a method that
+    /// finds modes itself the last ones are let go, which is what is given.
     pub(super) fn accelerated(&mut self) -> Result<bool, Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, mut loosened) = (Dynamics::<L>::workspace(system), false);
@@ -46,9 +46,12 @@ where
             if overlocked && self.slip_as_prescribed() {
                 continue;
             }
+            if overlocked && !K::SWITCHES {
+                return self.share_surplus(error).map(|()| false);
+            }
             let next = &mut self.next;
-            if !(overlocked && K::SWITCHES && let_last_go(&mut next.position, &mut next.rate, &next.acceleration)) {
-                return Err(self.overlocked(error));
+            if !(overlocked && let_last_go(&mut next.position, &mut next.rate, &next.acceleration)) {
+                return Err(error);
             }
             loosened = true;
         }
@@ -165,8 +168,7 @@ where
                     prescribed = true;
                     continue;
                 }
-                // A method that finds modes itself begins with any.
-                return if K::SWITCHES { self.accelerated().map(|_| ()) } else { Err(self.overlocked(error)) };
+                return self.accelerated().map(|_| ());
             }
             let next = &mut self.next;
             // Held least, or pushed back where it is about to move: by rounding alone, if another joint that breaks away too takes it along.
@@ -212,21 +214,6 @@ where
             });
         }
         Err(inconsistent(least, self.next.time))
-    }
-
-    /// This error, which may be that too many joints stick where the next step begins.
-    #[cold]
-    pub(super) fn overlocked(&self, error: Error) -> Error {
-        let (system, mut loose) = (self.plan.system, self.next.clone());
-        if const { !Self::MODES } || !matches!(error.fault, Fault::RedundantClosures { .. }) {
-            return error;
-        }
-        let_all_go(&mut loose.position, &mut loose.rate, &loose.acceleration);
-        let what = "more joints that stick at once, or rest against stops, than closures leave free to move";
-        match system.accelerate(&mut loose, self.plan.loads, &mut system.workspace()) {
-            Ok(()) => Error { place: None, fault: Fault::Unsupported { what }, ..error },
-            Err(_) => error,
-        }
     }
 
     /// So long (s) a joint slips on whose rate is zero but for rounding: joints of one freedom come to rest together.

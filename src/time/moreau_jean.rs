@@ -20,7 +20,7 @@ use super::{Control, Rule};
 /// friction are at most h times it, and bring a joint to rest where they suffice; one that would pass its stop ends the step there, and, if it
 /// gives back a share e of its rate, leaves with −e times that. All these joints are a linear complementarity problem, which is solved by
 /// pivoting, exactly: each pass is one more sweep, and most steps take none. (Random arms with two joints that rub and two that
-/// strike take 1.09 sweeps a step, chains of forty such joints 1.5 to 2.7, and 18 at most.) Several joints may strike or stick at once, and in mechanisms more than are free to move, which runs with events refuse:
+/// strike take 1.09 sweeps a step, chains of forty such joints 1.5 to 2.7, and 18 at most.) Several joints may strike or stick at once, and in mechanisms more than are free to move:
 /// what each of them bears is then one of many answers, the motion is not. A run refuses a start beyond a stop; a step by hand throws what
 /// stands there back to it.
 ///

@@ -214,14 +214,6 @@ fn a_mechanism_locks_with_its_one_joint_and_runs_go_on_from_what_was_saved() -> 
 
 #[test]
 fn what_makes_no_run_is_refused() -> Result<(), Error> {
-    // Of a mechanism with one freedom one joint can stick.
-    let rubs = Coulomb::new(Revolute::smooth(), 0.5);
-    let chain = (rubs, Rod::uniform(0.3, 1.0), rubs, Rod::uniform(0.8, 1.5), Pin, Rod::uniform(0.6, 1.0));
-    let scene = System::new(Clamped::origin(), chain, Pinned::at(0.9, 0.0))?.with_gravity(9.81);
-    let start = scene.assembled(scene.with_rates(scene.at_rest(&[1.0, -0.7, -2.0])?, &[4.0, 0.0, 0.0])?, &Unloaded)?;
-    let refused =
-        scene.simulation(Dop853::tolerance(1e-9)).run(start, 9.0, |_| ()).map(|_| ()).map_err(|end| end.error.fault);
-    assert!(matches!(refused, Err(Fault::Unsupported { what }) if what.contains("stick at once")), "{refused:?}");
     let plain = RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]);
     let less = Coulomb::new(Slider::along(0.0), 2.0).breaking_away(1.0);
     let refused = System::new(Clamped::origin(), (less, plain), Free).map(|_| ()).map_err(|error| error.fault);

@@ -326,6 +326,27 @@ fn a_mechanism_whose_joint_rubs_and_strikes() -> Result<(), Error> {
     Ok(())
 }
 
+/// A four-bar with friction in more joints than it has freedoms: until it rests, and while it does.
+#[test]
+fn a_mechanism_whose_joints_all_rub() -> Result<(), Error> {
+    for (end, changes) in [(0.9, 2), (3.0, 3)] {
+        let numbers = [0.4, 0.3, 0.35, 0.5, 1.2, 0.9, 9.81, 1.0];
+        let found = as_forward!(Dop853::tolerance(1e-12), Dop853, end, 1e-8, numbers, |x, T| {
+            let of = <T as Scalar>::literal;
+            let (bar, pin) =
+                (|length: T| Rod::uniform(length, length), |friction: T| Coulomb::new(Revolute::smooth(), friction));
+            let side = (RigidBody::massless([x[7], of(0.0)]), pin(x[2]), bar(x[5]));
+            let net = Network::new((pin(x[0]), bar(x[3]), pin(x[1]), bar(x[4])), side, Pin);
+            let scene = System::new(Clamped::origin(), net, Free)?.with_gravity(x[6]);
+            let start = scene.assembled(scene.at_rest(&[of(1.0), of(0.3), of(1.2)])?, &Unloaded)?;
+            (scene, start)
+        });
+        println!("until {end} s: {found} changes");
+        assert!(found >= changes);
+    }
+    Ok(())
+}
+
 #[test]
 fn torques_and_costs_on_the_way() -> Result<(), Error> {
     macro_rules! arm {
