@@ -62,13 +62,17 @@ where
         let (mut first, mut count, rounding) = (None, 0, Mode::reluctance::<RealOf<S>>().as_f64());
         let next = &mut self.next;
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
-            let pressed = |side: &f64| side * told.rate.real().as_f64() > rounding;
-            let stands = !mode.is_locked() && rate.real().is_zero();
-            let now = match *mode {
-                Mode::Sticks if margin(*mode, told.rate, &told) < 0.0 => Some(Mode::broken_away(told.guard)),
-                mode if mode.is_locked() => (margin(mode, told.rate, &told) < 0.0).then(|| mode.moving(told.rubs)),
-                mode if stands && let Some(side) = touched(mode, &told).filter(pressed) => Some(Mode::resting(side)),
-                mode => (stands && forward(mode, told.rate) < -rounding).then_some(Mode::Sticks),
+            let now = if mode.is_locked() {
+                (margin(*mode, told.rate, &told) < 0.0).then(|| match *mode {
+                    Mode::Sticks => Mode::broken_away(told.guard),
+                    mode => mode.moving(told.rubs),
+                })
+            } else if rate.real().is_zero() {
+                let pressed = touched(*mode, &told).filter(|side| side * told.rate.real().as_f64() > rounding);
+                let back = forward(*mode, told.rate) < -rounding;
+                pressed.map(Mode::resting).or(back.then_some(Mode::Sticks))
+            } else {
+                None
             };
             first = first.or(now.map(|now| (count, *mode, now)));
             count += 1;
