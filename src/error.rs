@@ -172,7 +172,7 @@ pub enum Fault {
     },
     /// The tip is not where it is held, or the ends of a loop are apart, by more than steps close: no run begins there.
     NotAssembled {
-        /// Residual of the closures (m, or rad for an angle).
+        /// Residual of the closures (m, or rad for an angle; m/s or rad/s where rates are what they do not allow).
         residual: f64,
     },
     /// With what is held as it is given, the tip cannot be brought to where it is held, or the ends of a loop to each other, from this

@@ -89,7 +89,8 @@ impl fmt::Display for Fault {
                 write!(
                     f,
                     "closures are redundant in this posture: {independent} of {of} are independent, one that is not holds \
-                     {closure}; a straight guess has to be bent, and what is held more often than it can move is one for `LeastNorm`"
+                     {closure}; a straight guess has to be bent, a tip be within reach, and a loop that is held more often than it can move is \
+                     one for `LeastNorm` to close"
                 )
             }
             Fault::SingularTransfer => write!(
@@ -106,7 +107,7 @@ impl fmt::Display for Fault {
             Fault::NotAssembled { residual } => {
                 write!(
                     f,
-                    "what is held together is apart by {residual} (m, or rad): no run begins there; assemble it first",
+                    "what is held together is apart by {residual} (m, or rad; of rates, a second): no run begins there; assemble it first",
                     residual = Number(residual)
                 )
             }

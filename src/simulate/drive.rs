@@ -81,6 +81,9 @@ where
         let system = self.plan.system;
         let mut workspace = Dynamics::<L>::workspace(system);
         // In a copy, not shown before all is well: a run that cannot start gives the start back as it was.
+        if System::<S, R, C, P>::CLOSED > 0 {
+            system.lead(&mut self.next, self.plan.loads, &mut workspace)?;
+        }
         system.accelerate(&mut self.next, self.plan.loads, &mut workspace)?;
         if loosened {
             self.stands_between()?;
@@ -169,7 +172,7 @@ where
         self.progress.at_event = false;
         self.progress.mark.1 += 1;
         if const { Self::CUTS } && switches {
-            let changed = self.switch(|run, due| run.pace(due, size)).and_then(|()| self.value(Shown::Next));
+            let changed = self.switch(|run, due| run.pace(due, size)).and_then(|_| self.value(Shown::Next));
             let value = changed.inspect_err(|_| self.progress = progress)?; // the step is not taken
             self.progress.mark = (self.next.time, 0);
             let before = core::mem::replace(&mut next_value, value);

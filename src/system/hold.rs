@@ -14,10 +14,6 @@ use num_traits::{One, Zero};
 pub(super) const CORRECTIONS: usize = 60;
 /// The longest correction of a coordinate (rad, m) at once.
 const SHARE: f64 = 0.3;
-/// The longest correction of a coordinate (rad, m) that a run may begin with.
-const NEAR: f64 = 0.1;
-/// The share of it that the next one has at most.
-const NEARER: f64 = 0.1;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// This motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
@@ -169,43 +165,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Err(Error::new(Fault::NotClosed { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
     }
 
-    /// Refuses a motion that steps would not close but by a jump: whose correction is large, or leads to another that is not much smaller.
-    pub(crate) fn nearly_closed<L: Loading<S>>(
-        &self,
-        motion: &MotionOf<S, R, C, P>,
-        loads: &L,
-        workspace: &mut <Self as Dynamics<L>>::Workspace,
-    ) -> Result<(), Error>
-    where
-        Self: Runs<L, S, R, C, P>,
-    {
-        let (mut now, mut steps) = (motion.clone(), [RealOf::<S>::zero(); 2]);
-        if const { PositionOf::<S, R, C>::MODES } {
-            // Joints that stick do not yield to corrections.
-            let mut rates = motion.rate.clone();
-            let_all_go(&mut now.position, &mut rates, &motion.acceleration);
-        }
-        for step in &mut steps {
-            if self.accelerate(&mut now, loads, workspace).is_err() {
-                *step = RealOf::<S>::INFINITY;
-                continue;
-            }
-            let mut corrected = now.clone();
-            self.project(&mut corrected, loads, workspace);
-            *step = self.correction(&now, &corrected);
-            now = corrected;
-        }
-        let [first, second] = steps;
-        let [near, nearer] = [NEAR, NEARER].map(RealOf::<S>::of);
-        if first <= Self::tolerances().0 || (first <= near && second <= first * nearer) {
-            return Ok(());
-        }
-        let (residual, place) = self.largest_residual(motion, Level::Place);
-        Err(Error::new(Fault::NotAssembled { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
-    }
-
     /// The largest correction of a coordinate, relative to it where it is larger than one; infinite where there is none.
-    fn correction(&self, motion: &MotionOf<S, R, C, P>, corrected: &MotionOf<S, R, C, P>) -> RealOf<S> {
+    pub(super) fn correction(&self, motion: &MotionOf<S, R, C, P>, corrected: &MotionOf<S, R, C, P>) -> RealOf<S> {
         let (mut step, mut displacement) = (RealOf::<S>::zero(), motion.rate.clone());
         corrected.position.apart(&motion.position, &mut displacement);
         motion.position.measure(&displacement, &mut |x, size| {

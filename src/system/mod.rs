@@ -18,6 +18,7 @@ mod inspect;
 mod least_change;
 #[cfg(feature = "alloc")]
 mod linear;
+mod nearly_closed;
 mod projection;
 mod readings;
 mod reference;

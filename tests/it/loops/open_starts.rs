@@ -98,3 +98,35 @@ fn a_start_of_few_digits_is_closed_by_its_steps() -> Result<(), Error> {
     near(tip.y, 0.0, 1e-14);
     Ok(())
 }
+
+/// Rates that closures do not allow, as of a crank alone: the run is that from the nearest that they do, whatever its first step.
+#[test]
+fn rates_that_nothing_allows_become_the_nearest_before_the_first_step() -> Result<(), Error> {
+    let bar = |length: f64| Rod::uniform(length, length);
+    let chain = (bar(0.5), Pin, bar(1.2), Pin, bar(0.9));
+    let held = System::new(Pinned::origin(), chain, Pinned::at(1.0, 0.0))?.with_gravity(9.81);
+    let side = (RigidBody::massless([1.0, 0.0]), Coulomb::new(Revolute::smooth(), 0.01), bar(0.9));
+    let net = Network::new((HardStops::between(Revolute::smooth(), [-9.0, 9.0]), bar(0.5), Pin, bar(1.2)), side, Pin);
+    let closed = System::new(Clamped::origin(), net, Free)?.with_gravity(9.81);
+    macro_rules! same {
+        ($scene:expr, $guess:expr) => {{
+            let mut start = $scene.assembled($scene.at_rest(&$guess)?, &Unloaded)?;
+            start.set_rates(&[2.0, 0.0, 0.0])?;
+            let assembled = $scene.assembled(start, &Unloaded)?;
+            for tolerance in [1e-6, 1e-9] {
+                let mut first = None;
+                let [set, assembled_end] = [start, assembled].map(|start| {
+                    let run = $scene.simulate(start, Dop853::tolerance(tolerance), 0.8, |now| {
+                        first = first.or(Some(now.motion().rates()[0]));
+                    });
+                    run.map(|run| run.motion.coordinates()[0]).map_err(|stopped| stopped.error)
+                });
+                near(first.unwrap_or(f64::NAN), assembled.rates()[0], 1e-12);
+                near(set?, assembled_end?, 10.0 * tolerance);
+            }
+        }};
+    }
+    same!(held, [1.05, 0.3, -2.0]);
+    same!(closed, [1.0, 0.3, 1.2]);
+    Ok(())
+}
