@@ -1,7 +1,7 @@
 //! What acts on bodies in runs that go backward.
 
 use super::{Reversed, Ties};
-use crate::loading::{Load, LoadLaw, Loading, Loads, Unloaded};
+use crate::loading::{EffortOf, Load, LoadLaw, Loading, Loads, Unloaded};
 use crate::relation::{Absent, Additive, Closures};
 use crate::shape::Takes;
 use crate::space::FrameOf;
@@ -16,8 +16,10 @@ use crate::walks::{Burden, LAW, PullLoads};
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait BodyLaw<S: Reversed>: Copy {
-    /// These loads beside efforts in joints.
-    type Beside<J: LoadLaw<S::JointMotion>>: Loading<S>;
+    /// These loads beside efforts in joints, without ties.
+    type Beside<J: LoadLaw<S::JointMotion> + Clone>: Loading<S, InJoint = J::Value> + Clone;
+    /// These loads and ties beside efforts in joints.
+    type Whole<J: LoadLaw<S::JointMotion, Value = EffortOf<S>> + Clone>: Loading<S>;
     /// Costates of the numbers they are made of.
     type OfNumbers: Clone;
     /// What is seen of virtual velocities of all bodies before costates are known: nothing, unless loads survey.
@@ -30,8 +32,10 @@ pub trait BodyLaw<S: Reversed>: Copy {
     /// Whether a load depends on other bodies than the one it acts on.
     const SURVEYS: bool = <Alone<S, Self> as Loading<S>>::SURVEYS;
 
-    /// Puts efforts in joints beside these loads.
-    fn beside<J: LoadLaw<S::JointMotion>>(self, efforts: J) -> Self::Beside<J>;
+    /// Puts efforts in joints beside these loads, without ties.
+    fn beside<J: LoadLaw<S::JointMotion> + Clone>(self, efforts: J) -> Self::Beside<J>;
+    /// Puts efforts in joints beside these loads and ties.
+    fn whole<J: LoadLaw<S::JointMotion, Value = EffortOf<S>> + Clone>(self, efforts: J) -> Self::Whole<J>;
     /// No derivatives yet.
     fn of_nothing() -> Self::OfNumbers;
     /// Nothing is stirred yet.
@@ -53,13 +57,17 @@ pub type Surveyed<S, L> = <Alone<S, L> as Loading<S>>::Seen;
 pub type OfLaw<T> = ([T; LAW], usize);
 
 impl<S: Reversed, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> for L {
-    type Beside<J: LoadLaw<S::JointMotion>> = Loads<L, J>;
+    type Beside<J: LoadLaw<S::JointMotion> + Clone> = Loads<L, J>;
+    type Whole<J: LoadLaw<S::JointMotion, Value = EffortOf<S>> + Clone> = Loads<L, J>;
     type OfNumbers = OfLaw<S::Scalar>;
     type Stirred = ();
     type Ties = ();
 
-    fn beside<J: LoadLaw<S::JointMotion>>(self, efforts: J) -> Loads<L, J> {
+    fn beside<J: LoadLaw<S::JointMotion> + Clone>(self, efforts: J) -> Loads<L, J> {
         Loads::none().on_bodies_by(self).in_joints_by(efforts)
+    }
+    fn whole<J: LoadLaw<S::JointMotion, Value = EffortOf<S>> + Clone>(self, efforts: J) -> Loads<L, J> {
+        self.beside(efforts)
     }
     fn of_nothing() -> OfLaw<S::Scalar> {
         ([S::Scalar::null(); LAW], 0)
@@ -97,6 +105,11 @@ impl<S: Reversed, B: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> ActsOnBodies
 }
 
 /// Costates through what acts on bodies.
+#[diagnostic::on_unimplemented(
+    message = "no gradient of a run goes backward under `{Self}`",
+    label = "loads that gradients do not know",
+    note = "beside struts and couplings a law stands as loads: `struts.and(Loads::none().on_bodies_by(law))`"
+)]
 pub trait ReversibleLoads<S: Reversed>: BodyLaw<S> {
     /// What W·f + w·m changes by with what the load on the body met last reads, for the virtual velocity W of the body's inboard end and
     /// its w: costates of that end; adds to those of the numbers of the body and of the law.

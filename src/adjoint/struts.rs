@@ -164,14 +164,22 @@ macro_rules! struts {
             L: ActsOnBodies<$Space<T>>,
             L::Law: LoadLaw<BodyMotion<T>, Value: Load<$Space<T>>> + BodyLaw<$Space<T>, OfNumbers = OfLaw<T>>,
         {
-            type Beside<J: LoadLaw<JointMotion<T>>> = Struts<T, $D, N, Loads<L::Law, J>>;
+            type Beside<J: LoadLaw<JointMotion<T>> + Clone> = Struts<T, $D, N, Loads<L::Law, J>>;
+            type Whole<J: LoadLaw<JointMotion<T>, Value = $crate::loading::EffortOf<$Space<T>>> + Clone> =
+                Self::Beside<J>;
             type OfNumbers = OfStruts<T, $D, N>;
             type Stirred = EndsStirred<T, $D, N>;
             type Ties = ();
 
-            fn beside<J: LoadLaw<JointMotion<T>>>(self, efforts: J) -> Self::Beside<J> {
+            fn beside<J: LoadLaw<JointMotion<T>> + Clone>(self, efforts: J) -> Self::Beside<J> {
                 let others = Loads::none().on_bodies_by(self.others().law()).in_joints_by(efforts);
                 Struts::of(*self.struts()).and(others)
+            }
+            fn whole<J: LoadLaw<JointMotion<T>, Value = $crate::loading::EffortOf<$Space<T>>> + Clone>(
+                self,
+                efforts: J,
+            ) -> Self::Beside<J> {
+                self.beside(efforts)
             }
             fn of_nothing() -> Self::OfNumbers {
                 ([ByStrut::none(); N], <L::Law as BodyLaw<$Space<T>>>::of_nothing())

@@ -61,13 +61,21 @@ impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
 macro_rules! backward {
     ($Space:ident, $JointMotion:ty) => {
         impl<T: Scalar, L: ActsOnBodies<$Space<T>>, const K: usize> BodyLaw<$Space<T>> for Couplings<T, K, L> {
-            type Beside<J: LoadLaw<$JointMotion>> = <L::Law as BodyLaw<$Space<T>>>::Beside<J>;
+            type Beside<J: LoadLaw<$JointMotion> + Clone> = <L::Law as BodyLaw<$Space<T>>>::Beside<J>;
+            type Whole<J: LoadLaw<$JointMotion, Value = EffortOf<$Space<T>>> + Clone> =
+                Couplings<T, K, Self::Beside<J>>;
             type OfNumbers = ([T; K], <L::Law as BodyLaw<$Space<T>>>::OfNumbers);
             type Stirred = <L::Law as BodyLaw<$Space<T>>>::Stirred;
             type Ties = Couplings<T, K>;
 
-            fn beside<J: LoadLaw<$JointMotion>>(self, efforts: J) -> Self::Beside<J> {
+            fn beside<J: LoadLaw<$JointMotion> + Clone>(self, efforts: J) -> Self::Beside<J> {
                 self.others.law().beside(efforts)
+            }
+            fn whole<J: LoadLaw<$JointMotion, Value = EffortOf<$Space<T>>> + Clone>(
+                self,
+                efforts: J,
+            ) -> Self::Whole<J> {
+                self.ties().and(self.beside(efforts))
             }
             fn of_nothing() -> Self::OfNumbers {
                 ([T::zero(); K], L::Law::of_nothing())

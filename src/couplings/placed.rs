@@ -128,7 +128,7 @@ fn relative<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>>(
     let motion = moving(scene);
     let mut look = Look { sought: numbers.joint, next: 0, found: false };
     show(scene.elements(), scene.ground(motion.time), coordinates::<S, _, P::Closures>(&motion), &mut look);
-    let (what, error) = ("a coupling of joints but those of one relative coordinate", Error::new);
+    let (what, error) = ("a coupling of joints but those of one relative coordinate that nothing drives", Error::new);
     match (look.found, numbers.station) {
         (true, _) => Ok(()),
         (false, Some(station)) => Err(error(Fault::Unsupported { what }).at_station(station)),

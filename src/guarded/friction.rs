@@ -24,7 +24,8 @@ use crate::scalar::{Real, Scalar};
 ///
 /// Mechanisms may come to rest with more such joints than they have freedoms. As many stick as there are freedoms, the others bear all of the friction
 /// of their slips, one way or the other, which is one of many answers: that it holds, and when it breaks away, is the same for all of them, if a joint breaks away at
-/// what it slips with. Where it takes more to break a joint away, this counts for those that stick.
+/// what it slips with. Where it takes more to break a joint away, this counts for those that stick, which are others by [`MoreauJean`]. Friction of
+/// zero is refused: such a joint has no modes.
 ///
 /// Runs over jets and dual numbers have the first derivatives of what happens, as those of [`HardStops`], and so do
 /// [gradients backward](crate::sensitivity::Backward::course). Where a joint breaks away from more

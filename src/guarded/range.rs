@@ -17,7 +17,8 @@ use num_traits::One;
 /// ends where the coordinate meets its stop, or where the force of that is zero, so that rules keep their order, and rules that remember
 /// motions begin anew. Where several joints meet their stops at one instant, or rest against them while another strikes, the one that is
 /// fastest goes first, until none moves into its stop; what is not over after 256 blows, as where a long body at a short one strikes, is brought to
-/// rest at once, by stops that push. A shock goes over friction: joints that stick ([`Coulomb`]) move by it. A rebound
+/// rest at once, by stops that push. ([`MoreauJean`] takes all that strike or rest within a step at once, each by its own share: another law, and other
+/// rates after, wherever it is more than one.) A shock goes over friction: joints that stick ([`Coulomb`]) move by it. A rebound
 /// that would rise no higher than 6e-14 (rad, m; in `f32` 3e-5) is none, so that a joint which bounces ever less comes to rest; it leaves its
 /// stop where it would do so at more than 1e-6 (rad/s², m/s²; in `f32` 0.02). What has come as near to its
 /// stop as that stands at it. Shocks take energy and are seen in no force. An accepted step that ends at a shock is shown as it is before it.

@@ -1,6 +1,7 @@
 //! Gradients of runs in the plane, along whatever parameters a scene is made of.
 
 use super::Gradient;
+use super::gradient::Asked;
 use crate::adjoint::laws::{NUMBERS, ROTARY_NUMBERS};
 use crate::adjoint::{BodyLaw, ReversibleTip};
 use crate::driven::{Driven, MotionLaw};
@@ -114,17 +115,15 @@ impl<T: Scalar, const K: usize> Along<T, K> {
 /// Refuses ground over jets whose motion depends on seeds, but for an offset of its place and orientation that is the same at all times: gradients
 /// know no more of it. `at` gives numbers of both kinds, offsets first.
 pub(super) fn offset_alone<T: Scalar, const K: usize, const N: usize, const M: usize>(
-    times: Option<[T::Real; 2]>,
+    asked: Option<Asked<T::Real>>,
     at: impl Fn(T::Real) -> ([Jet<T, K>; N], [Jet<T, K>; M]),
 ) -> Result<(), Error> {
-    let Some([last, first]) = times else { return Ok(()) };
-    let (offset, _) = at(first);
+    let Some(asked) = asked else { return Ok(()) };
+    let (offset, _) = at(asked.first);
     let slack = T::Real::EPSILON.sqrt();
     let alike = |a: T, b: T| (a - b).real().abs() <= slack * (T::Real::one() + a.real().abs());
-    for k in 0..9 {
-        // Shares that no period shares.
-        let share = T::Real::of(0.618_033_988_749_895 * k as f64 % 1.0);
-        let (now, moving) = at(first + (last - first) * share);
+    for time in asked.within() {
+        let (now, moving) = at(time);
         let still = moving.iter().all(|x| x.eps.iter().all(|x| x.is_identical(T::zero())));
         if !(still && now.iter().zip(&offset).all(|(a, b)| a.eps.iter().zip(b.eps).all(|(a, b)| alike(*a, b)))) {
             return Err(Error::new(Fault::Unsupported { what: "the gradient by what moves the ground" }));
@@ -293,9 +292,9 @@ impl<T: Scalar, E: Element<Planar<T>>, L: BodyLaw<Planar<T>>> Gradient<Planar<T>
         let elements = scene.elements();
         elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        let ground = scene.ground(self.times.map_or(Zero::zero(), |[last, _]| last));
+        let ground = scene.ground(self.asked.map_or(Zero::zero(), |asked| asked.last));
         if const { !R::RESTS } {
-            offset_alone(self.times, |time| {
+            offset_alone(self.asked, |time| {
                 let Frame { place, velocity, acceleration: Acceleration { linear, angular }, turn } =
                     scene.ground(time);
                 ([place.x, place.y, turn.angle], [velocity.x, velocity.y, linear.x, linear.y, angular, turn.rate])

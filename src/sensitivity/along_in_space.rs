@@ -313,9 +313,9 @@ impl<T: Scalar, E: Element<Spatial<T>>, L: BodyLaw<Spatial<T>>> Gradient<Spatial
         let mut walk = Along { sum: [T::zero(); K], met: 0, beyond: None };
         scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        let ground = scene.ground(self.times.map_or(Zero::zero(), |[last, _]| last));
+        let ground = scene.ground(self.asked.map_or(Zero::zero(), |asked| asked.last));
         if const { !R::RESTS } {
-            offset_alone(self.times, |time| {
+            offset_alone(self.asked, |time| {
                 let Frame { place, velocity: v, acceleration: Acceleration { linear: a, angular: b }, turn: at } =
                     scene.ground(time);
                 let (turned, w) = (turn(&at.attitude), at.spin);

@@ -7,7 +7,7 @@ use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::{Absent, Additive, Closures};
-use crate::scalar::{Jet, Scalar};
+use crate::scalar::{Jet, Real, Scalar};
 use crate::shape::{PerBody, PerJoint};
 use crate::walks::pull_loads::LAW;
 #[cfg(feature = "alloc")]
@@ -21,11 +21,22 @@ pub struct Costate<R, T = f64> {
     pub position: R,
     /// By rates.
     pub rate: R,
-    /// By the time (s) that the cost itself reads, not by that which loads read: it matters where a run ends at an event.
+    /// By the time (s) that the cost itself reads, not by that which loads read: it matters where a run ends at an event, and where a mode changes.
     pub time: T,
 }
 
 impl<R, T: Scalar> Costate<R, T> {
+    /// Adds other ones.
+    #[cfg(feature = "alloc")]
+    pub(super) fn and(&mut self, others: &Self)
+    where
+        R: Rate<T>,
+    {
+        self.position.add(&others.position);
+        self.rate.add(&others.rate);
+        self.time += others.time;
+    }
+
     /// Adds derivatives by positions and rates, plain lists of all joints from the root on.
     ///
     /// # Errors
@@ -45,13 +56,45 @@ impl<R, T: Scalar> Costate<R, T> {
     }
 }
 
+/// Times (s) of one after another asking, backward.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Asked<R> {
+    pub(crate) last: R,
+    pub(crate) first: R,
+    /// The shortest time between two of them.
+    shortest: R,
+}
+
+impl<R: Real> Asked<R> {
+    /// These and one more.
+    pub(super) fn and(before: Option<Self>, time: R) -> Self {
+        let Some(Self { last, first, shortest }) = before else {
+            return Self { last: time, first: time, shortest: R::INFINITY };
+        };
+        let apart = (time - first).abs();
+        Self { last, first: time, shortest: if apart > R::zero() { shortest.min(apart) } else { shortest } }
+    }
+
+    /// Times of which two lie within any step, as far as there are no more than many.
+    pub(super) fn within(self) -> impl Iterator<Item = R> {
+        let range = self.last - self.first;
+        let count = (2.0 * (range / self.shortest).as_f64()).clamp(FEW, MANY) as usize;
+        // Shares that no period shares.
+        (0..count).map(move |k| self.first + range * R::of((k as f64 + 0.618_033_988_749_895) / count as f64))
+    }
+}
+
+/// Times at which ground over jets is looked at, at least and at most.
+const FEW: f64 = 9.0;
+const MANY: f64 = 65536.0;
+
 /// The gradient of a cost by all that a run depends on, under loads `L` on bodies.
 pub struct Gradient<S: Reversed, E: Element<S>, L: BodyLaw<S> = Absent> {
     /// By initial positions and rates; by the time of all motions at once.
     pub start: Costate<E::Rate, S::Scalar>,
     pub(crate) gravity: S::Vector,
-    /// The last and the first time (s) at which the ground was asked for.
-    pub(crate) times: Option<[RealOf<S>; 2]>,
+    /// When ground that moves was asked where it is.
+    pub(crate) asked: Option<Asked<RealOf<S>>>,
     /// By the place and the orientation of the ground.
     pub(crate) place: S::Vector,
     pub(crate) ground: S::Angular,
@@ -76,7 +119,7 @@ impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Gradient<S, E, L> {
         Self {
             start: Costate { position: zero.clone(), rate: zero.clone(), time: Additive::null() },
             gravity: S::Vector::null(),
-            times: None,
+            asked: None,
             place: S::Vector::null(),
             ground: S::Angular::null(),
             tip: S::no_tip(),

@@ -2,6 +2,7 @@
 
 use super::accept::Taken;
 use super::drive::Running;
+use super::jump::Delay;
 use super::margin::{forward, margin};
 use super::now::settled;
 use super::shown::Shown;
@@ -169,8 +170,9 @@ where
         Ok(true)
     }
 
-    /// Changes the mode of the joint that is held least where a step of a size (s) begins: what is next is then the motion there.
-    pub(super) fn let_go(&mut self, size: RealOf<S>) -> Result<(), Error> {
+    /// Changes the mode of the joint that is held least where a step of a size (s) begins: what is next is then the motion there. Gives how
+    /// much later that is.
+    pub(super) fn let_go(&mut self, size: RealOf<S>) -> Result<Delay<S::Scalar>, Error> {
         let (_, least) = Self::margins(&mut self.past);
         let mut pace = RealOf::<S>::zero();
         if const { Self::DERIVED } {

@@ -19,6 +19,8 @@ use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};
 use crate::mirror::{Mode, Position, Rate};
+use crate::motion::Motion;
+use crate::relation::Closures;
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::Stepper;
 use crate::system::{Dynamics, MotionOf, PositionOf, RateOf, Runs, System};
@@ -35,6 +37,17 @@ pub(super) enum Delay<T> {
     Locked(T),
 }
 
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+impl<T: Scalar> Delay<T> {
+    /// By which time (s).
+    pub(super) fn time(self) -> T {
+        match self {
+            Self::None => T::zero(),
+            Self::Moving(delay) | Self::Locked(delay) => delay,
+        }
+    }
+}
+
 /// The slope at the end of four equal parts, by values from there back, of orders four and two.
 const SLOPES: [[f64; 5]; 2] = [[25.0 / 12.0, -4.0, 3.0, -4.0 / 3.0, 0.25], [1.5, -2.0, 0.5, 0.0, 0.0]];
 /// By such a share the two may differ of what grows steadily; beside a jump they differ by 0.28 of the first.
@@ -43,6 +56,18 @@ const STEADY: f64 = 0.1;
 /// A number without what it is but for derivatives.
 pub(super) fn varied<T: Scalar>(number: T) -> T {
     number - T::constant(number.real())
+}
+
+/// Goes on by a time that is zero but for derivatives.
+pub(super) fn shifted<T: Scalar, Q: Position<T>, D: Closures>(motion: &mut Motion<T, Q, D>, delay: T) {
+    let by = |rate: &Q::Rate| {
+        let mut step = rate.clone();
+        step.replace(&mut |x| x * delay);
+        step
+    };
+    let (moved, faster) = (by(&motion.rate), by(&motion.acceleration));
+    motion.position.displace(&moved);
+    motion.rate.add(&faster);
 }
 
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
@@ -127,25 +152,13 @@ where
         RealOf::<S>::of(if changes && steadily { 4.0 * change } else { f64::NAN }) / size
     }
 
-    /// Goes on by a time that is zero but for derivatives.
-    pub(super) fn shifted(motion: &mut MotionOf<S, R, C, P>, delay: S::Scalar) {
-        let by = |rate: &RateOf<S, R, C>| {
-            let mut step = rate.clone();
-            step.replace(&mut |x| x * delay);
-            step
-        };
-        let (moved, faster) = (by(&motion.rate), by(&motion.acceleration));
-        motion.position.displace(&moved);
-        motion.rate.add(&faster);
-    }
-
     /// Ends the change of mode of a joint: back to the time at which it was found, from accelerations before.
     pub(super) fn returned(&mut self, delay: Delay<S::Scalar>, before: &RateOf<S, R, C>) -> Result<(), Error> {
         let (system, loads, next) = (self.plan.system, self.plan.loads, &mut self.next);
         match delay {
             Delay::None => Ok(()),
             Delay::Moving(delay) => {
-                Self::shifted(next, -delay);
+                shifted(next, -delay);
                 system.accelerate(next, loads, &mut Dynamics::<L>::workspace(system))
             }
             Delay::Locked(delay) => {

@@ -18,7 +18,7 @@ pub(super) fn margin<T: Scalar>(mode: Mode, rate: T, told: &Told<T>) -> f64 {
 }
 
 /// Whether a joint that slips stands still, and is not about to move: what all others hold, whichever way it slips.
-fn idles<T: Scalar>(rate: T, told: &Told<T>) -> bool {
+pub(super) fn idles<T: Scalar>(rate: T, told: &Told<T>) -> bool {
     let [rate, second] = [rate, told.rate].map(|x| x.real().abs());
     rate <= Mode::touch() && second <= Mode::reluctance()
 }

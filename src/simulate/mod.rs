@@ -224,8 +224,10 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
 impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, K>
     Simulation<'a, S, R, C, P, L, M, Watched<Unwatched, K>>
 {
-    /// Also shown where a function of the motion crosses zero, once a step, past the first sixteenth where it begins at one. A run that begins
-    /// at a zero but for rounding, as where an event has ended another, does not find that one. Not over lanes.
+    /// Also shown where a function of the motion crosses zero, once a step, past the first sixteenth where it begins at one. A rate that a shock
+    /// turns round crosses it in the step after the shock, unless it is back by the end of that. The least of several functions that are positive crosses
+    /// zero with the first of them. A run that begins at a zero but for rounding, as where an event has ended another, does not find that one. Not
+    /// over lanes.
     pub fn event<F>(self, function: F) -> Simulation<'a, S, R, C, P, L, M, Watched<Event<F>, K>>
     where
         F: FnMut(&Now<'_, S, R, C, P, L>) -> S::Scalar,

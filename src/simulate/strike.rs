@@ -152,7 +152,7 @@ where
 
     /// By how much all rates change where that of a joint with modes changes by one: the difference of two sweeps in which its
     /// acceleration is given.
-    fn response(&self, joint: usize) -> Result<RateOf<S, R, C>, Error> {
+    pub(super) fn response(&self, joint: usize) -> Result<RateOf<S, R, C>, Error> {
         let (system, loads) = (self.plan.system, self.plan.loads);
         let mut workspace = Dynamics::<L>::workspace(system);
         let mut under = |given: Mode| {

@@ -1,14 +1,14 @@
 //! Which modes of joints follow where a run changes one, begins, or goes on.
 
 use super::drive::Running;
-use super::jump::Delay;
-use super::margin::{forward, margin, meets, rests, touched};
+use super::jump::{Delay, shifted};
+use super::margin::{forward, idles, margin, meets, rests, touched};
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Mode, Position, Told, let_all_go, let_last_go};
+use crate::mirror::{Mode, Position, Rate, Told, let_all_go, let_last_go};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System};
@@ -16,6 +16,8 @@ use num_traits::Zero;
 
 /// Up to so many roundings of what a joint gains in a step its rate is that of one at rest.
 const ROUNDINGS: f64 = 1e4;
+/// Up to so many roundings of the fastest rate, too.
+const ROUNDED: f64 = 1024.0;
 /// Changes of mode at one instant, besides one of each joint, before it is clear that none are consistent.
 const CHANGES: usize = 64;
 
@@ -98,26 +100,34 @@ where
     }
 
     /// Changes the mode of the joint that has ended the step, and of those that change with it; `pace` tells how fast the guard of a joint that does
-    /// not move changes (1/s).
-    pub(super) fn switch(&mut self, pace: impl FnOnce(&mut Self, usize) -> RealOf<S>) -> Result<(), Error> {
+    /// not move changes (1/s). Gives how much later that is than at the time found.
+    pub(super) fn switch(
+        &mut self,
+        pace: impl FnOnce(&mut Self, usize) -> RealOf<S>,
+    ) -> Result<Delay<S::Scalar>, Error> {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
-        let (earliest, mut count, mut strikes) = (Self::margins(&mut next).1, 0, false);
+        let (earliest, mut count, mut strikes, mut breaks) = (Self::margins(&mut next).1, 0, false, false);
+        let holds = Self::holds_others(&mut next, earliest);
         let delay = if const { Self::DERIVED } { self.delay(&mut next, earliest, pace)? } else { Delay::None };
         let before = if const { Self::DERIVED } { Some(next.acceleration.clone()) } else { None };
         if let Delay::Moving(delay) = delay {
-            Self::shifted(&mut next, delay);
+            shifted(&mut next, delay);
         }
-        let still = self.still();
+        let (still, mut fastest) = (self.still(), 0.0_f64);
+        next.rate.visit(&mut |rate| fastest = fastest.max(rate.real().as_f64().abs()));
+        let least = ROUNDED * RealOf::<S>::EPSILON.as_f64() * fastest;
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
             let due = count == earliest;
             count += 1;
             match *mode {
-                Mode::Sticks if due => *mode = Mode::broken_away(told.guard),
-                Mode::RestsBelow | Mode::RestsAbove if due => *mode = mode.moving(told.rubs),
+                Mode::Sticks if due => (*mode, breaks) = (Mode::broken_away(told.guard), holds),
+                Mode::RestsBelow | Mode::RestsAbove if due => (*mode, breaks) = (mode.moving(told.rubs), holds),
                 Mode::Swings if due => strikes = true,
                 Mode::SlipsForward | Mode::SlipsBack if due && meets(*mode, *rate, &told) => strikes = true,
+                // What others hold stays held, if they do not come to rest just here.
+                Mode::SlipsForward | Mode::SlipsBack if !due && idles(*rate, &told) => (),
                 Mode::SlipsForward | Mode::SlipsBack
-                    if due || forward(*mode, *rate) <= told.rate.real().as_f64().abs() * still =>
+                    if due || forward(*mode, *rate) <= (told.rate.real().as_f64().abs() * still).max(least) =>
                 {
                     (*mode, *rate) = (Mode::Sticks, S::Scalar::zero());
                 }
@@ -125,8 +135,13 @@ where
             }
         });
         self.next = next;
-        if strikes { self.strike() } else { self.settle_modes(Some(earliest)) }?;
-        before.map_or(Ok(()), |before| self.returned(delay, &before))
+        match (strikes, breaks) {
+            (true, _) => self.strike(),
+            (_, true) => self.yield_from(earliest),
+            _ => self.settle_modes(Some(earliest)),
+        }?;
+        before.map_or(Ok(()), |before| self.returned(delay, &before))?;
+        Ok(delay)
     }
 
     /// Finds modes of a motion of which only rates are known.

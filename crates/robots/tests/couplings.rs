@@ -493,3 +493,29 @@ fn what_is_no_coupling_is_refused() -> Result<(), Error> {
     assert_eq!(error.fault, Fault::Shape);
     Ok(())
 }
+
+/// Steps that error control chooses for a gradient are those of the scene whose joints follow others.
+#[test]
+fn adaptive_steps_for_gradients_are_coupled() -> Result<(), Error> {
+    let finger = Rod::uniform(0.3, 0.5);
+    let hand = (Branch((Revolute::smooth().named("left"), finger)), Revolute::smooth().named("right"), finger);
+    let scene = System::new(Clamped::origin(), hand, Free)?.with_gravity(9.81);
+    let couplings = Couplings::of(&scene, [Coupling::new("right", "left").ratio(-0.5)])?;
+    let start = couplings.joined(scene.at_rest(&[0.3, 0.0])?);
+    let run = scene.simulation(Dop853::tolerance(1e-10)).loads(&couplings).run(start, 0.3, |_| ())?.motion;
+    let (mut states, mut backward) = (vec![start; 101], scene.backward(Dop853).under(couplings));
+    let steps = backward.run_adaptive(&start, 1e-10, 0.3, &[], &mut states)?;
+    for (found, expected) in states[steps].coordinates().iter().zip(run.coordinates()) {
+        near(*found, expected, 1e-12);
+    }
+    let gradient = backward.gradient(&[], &states[..=steps], &mut [], |step, _, by| {
+        if step == steps { by.add(&[1.0, 0.0], &[0.0; 2]) } else { Ok(()) }
+    })?;
+    let end = |gravity: f64| {
+        let pulled = scene.clone().with_gravity(gravity);
+        let run = pulled.simulation(Dop853::tolerance(1e-12)).loads(&couplings).run(start, 0.3, |_| ());
+        run.map(|run| run.motion.coordinates()[0]).map_err(|stopped| stopped.error)
+    };
+    near(-gradient.by_gravity().y, (end(9.81 + 1e-4)? - end(9.81 - 1e-4)?) / 2e-4, 1e-8);
+    Ok(())
+}

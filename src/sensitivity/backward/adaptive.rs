@@ -59,14 +59,17 @@ where
         states: &mut [MotionOf<S, R, C, P>],
     ) -> Result<usize, Error>
     where
-        System<S, R, C, P>: Runs<L::Beside<Held<'t, EffortOf<S>>>, S, R, C, P>,
+        System<S, R, C, P>: Runs<L::Whole<Held<'t, EffortOf<S>>>, S, R, C, P>,
     {
         self.admits(1, torques.len())?;
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
         }
+        if System::<S, R, C, P>::CLOSED > 0 {
+            self.steps.scene.led(start)?;
+        }
         let rule = Rule { method: self.method, control: Control::Tolerance(tolerance) };
-        let loads = self.steps.loads.law.beside(Held(torques));
+        let loads = self.steps.loads.law.whole(Held(torques));
         let (mut count, mut list) = (0, states.iter_mut());
         let simulation = self.steps.scene.simulation(rule).loads(&loads);
         simulation.run(start.clone(), end, |now| {

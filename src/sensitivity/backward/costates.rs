@@ -24,6 +24,7 @@ use crate::mirror::{Position, Rate, Retraction};
 use crate::relation::{Additive, Solvable, Wrench};
 use crate::scalar::Real;
 use crate::sensitivity::Gradient;
+use crate::sensitivity::gradient::Asked;
 use crate::shape::Takes;
 use crate::space::FrameOf;
 use crate::stepper::displace::{gather, gather_few, with_row};
@@ -257,7 +258,9 @@ where
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let frame = self.scene.ground(time);
-        gradient.times = Some([gradient.times.map_or(time, |[last, _]| last), time]);
+        if const { !R::RESTS } {
+            gradient.asked = Some(Asked::and(gradient.asked, time));
+        }
         let minus_weights = if const { Self::TIED } { self.untie(start, &frame, (stage, slope)) } else { None };
         let (weight, stirred) = self.stir(start, &frame, (stage, slope));
         let elements = self.scene.elements();

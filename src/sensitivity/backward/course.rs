@@ -135,6 +135,9 @@ where
         if !self.fits(start) {
             return Err(Error::new(Fault::Shape));
         }
+        if System::<S, R, C, P>::CLOSED > 0 {
+            self.steps.scene.led(start)?;
+        }
         let Rule { control, .. } = rule.into_rule();
         let mut efforts = torques.to_vec();
         efforts.resize(joints * intervals, EffortOf::<S>::null());

@@ -5,6 +5,8 @@ mod admission;
 mod again;
 mod apart;
 mod assembly;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod at_change;
 mod between;
 mod checkpoints;
 mod costates;

@@ -4,6 +4,7 @@
 //! at a fixed time has the jump terms of that time in it (`src/simulate/jump.rs`), and costates go back by x̄⁻ = Jᵀ x̄⁺. A change is made once more
 //! over jets, whose seeds are eight numbers of x⁻ or torques at a time, or those of the scene that the gradient is asked for along.
 
+use super::at_change::AtChange;
 use super::course::{Acting, Course, CourseOf, Link};
 use super::rules::Staged;
 use super::{Backward, CostateOf, GradientOf};
@@ -18,9 +19,10 @@ use crate::motion::Motion;
 use crate::relation::{Absent, Closures, Geometry};
 use crate::scalar::{Elementary, Jet, Real, Scalar};
 use crate::sensitive::Varied;
+use crate::sensitivity::Costate;
 use crate::sensitivity::front::parts::{NO_SEEDS, OfNumbers, seeded};
 use crate::sensitivity::front::{self, WIDTH};
-use crate::simulate::anew::Change;
+use crate::simulate::anew::{Change, ChangedOf};
 use crate::space::SpaceOver;
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::time::{Explicit, Rule};
@@ -38,8 +40,8 @@ pub struct PastGradient<'c, S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M
     /// What steps do.
     pub(in crate::sensitivity) steps: GradientOf<S, R, C, L>,
     course: &'c CourseOf<S, R, C, P>,
-    /// Costates after each change of mode, of positions and then of rates, the last change first.
-    costates: Vec<(usize, Vec<S::Scalar>)>,
+    /// What costs hang on at each change of mode, the last change first.
+    costates: Vec<(usize, AtChange<S::Scalar>)>,
     method: M,
     law: L,
     of: PhantomData<P>,
@@ -61,7 +63,9 @@ where
     EffortOf<Over<S>>: OfNumbers<Seeded<S>>,
 {
     /// The gradient of a cost by everything, for a run past changes of mode: `cost` is told the number of each of the course's
-    /// [states](Course::states), the last first, and adds the derivatives of the cost by its position and rate. `by_torques` becomes the gradient by the
+    /// [states](Course::states), the last first, and adds the derivatives of the cost by its position and rate: of the states on both sides of a
+    /// change also by its [time](crate::sensitivity::Costate::time), for these are the states where a mode changes, whenever that is; all others are states at
+    /// fixed times. `by_torques` becomes the gradient by the
     /// torques of each interval, or of all summed up; it may be empty. Of a law of loads on bodies ([`under`](Self::under)) the gradient has
     /// [`by_loads`](PastGradient::by_loads).
     ///
@@ -89,15 +93,25 @@ where
         let mut gradient = self.begin(by_torques);
         let (mut past_changes, mut of_torques) =
             (Vec::new(), alloc::vec![S::Scalar::zero(); numbers_of(efforts).len()]);
-        cost(links.len(), last, &mut gradient.start)?;
+        // What the last state asked for adds: as long as it is not known whether that is a state at a fixed time.
+        let nothing = {
+            let mut rate = last.rate.clone();
+            rate.replace(&mut |_| S::Scalar::zero());
+            Costate { position: rate.clone(), rate, time: S::Scalar::zero() }
+        };
+        let mut asked = nothing.clone();
+        cost(links.len(), last, &mut asked)?;
         let mut pulled = None;
         for (k, (link, interval)) in links.iter().enumerate().rev() {
             let (past, next) = (&states[k], &states[k + 1]);
             if let Some(later) = pulled.replace(*interval).filter(|later| later != interval) {
                 self.steps.give_torques(by_torques, later);
             }
+            let mut earlier = nothing.clone();
+            cost(k, past, &mut earlier)?;
             match link {
                 Link::Step => {
+                    gradient.start.and(&asked);
                     let size = next.time - past.time;
                     self.steps.take_torques(efforts, *interval);
                     self.steps.evaluate(past, size, &mut self.record);
@@ -105,14 +119,16 @@ where
                 }
                 Link::Change(change) => {
                     let efforts = course.efforts(*interval);
-                    let after = costates(&gradient.start.position, &gradient.start.rate);
-                    let count = after.len() + efforts.len() * EffortOf::<S>::COUNT;
+                    let costs = AtChange::of(&gradient.start, [&earlier, &asked]);
+                    gradient.start.time += asked.time + earlier.time;
+                    let rows = costs.later.len();
+                    let count = rows + efforts.len() * EffortOf::<S>::COUNT;
                     let mut before = Vec::with_capacity(count + WIDTH);
                     for first in (0..count).step_by(WIDTH) {
                         let at = scene.with_seeds(of_plain(&scene, past)?, first);
-                        let loads = still.beside(Values(seeds(efforts, first.wrapping_sub(after.len()))));
+                        let loads = still.beside(Values(seeds(efforts, first.wrapping_sub(rows))));
                         let found = again(k, *change, &loads, at)?;
-                        before.extend(contracted(&after, &found));
+                        before.extend(costs.contracted(&found)?);
                     }
                     // By numbers of the law: six at most, or nobody is told of them.
                     if const { L::ON } {
@@ -120,7 +136,7 @@ where
                         let seeded = law.lift(&mut |x| Jet::seed(x, number.next().unwrap_or(WIDTH)));
                         let loads = seeded.beside(Values(seeds(efforts, NO_SEEDS)));
                         let found = again(k, *change, &loads, of_plain(&scene, past)?)?;
-                        gradient.law.0.iter_mut().zip(contracted(&after, &found)).for_each(|(sum, more)| *sum += more);
+                        gradient.law.0.iter_mut().zip(costs.contracted(&found)?).for_each(|(sum, more)| *sum += more);
                     }
                     let mut list = before.into_iter();
                     for costate in [&mut gradient.start.position, &mut gradient.start.rate] {
@@ -128,13 +144,15 @@ where
                     }
                     let first = interval * course.joints * EffortOf::<S>::COUNT;
                     of_torques.iter_mut().skip(first).zip(list).for_each(|(sum, more)| *sum += more);
-                    past_changes.push((k, after));
+                    past_changes.push((k, costs));
+                    earlier = nothing.clone();
                 }
                 // At a time that hangs on nothing; positions and rates go on.
-                Link::Load => (),
+                Link::Load => gradient.start.and(&asked),
             }
-            cost(k, past, &mut gradient.start)?;
+            asked = earlier;
         }
+        gradient.start.and(&asked);
         self.steps.give_torques(by_torques, 0);
         // Of all intervals, or summed up over them.
         let mut numbers = of_torques.chunks_exact(EffortOf::<S>::COUNT);
@@ -183,13 +201,13 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L: BodyLaw<
         EffortOf<X>: OfNumbers<Jet<S::Scalar, K>>,
     {
         let mut sum = [S::Scalar::zero(); K];
-        for (k, after) in &self.costates {
+        for (k, costs) in &self.costates {
             let (Link::Change(change), interval) = self.course.links[*k] else { continue };
             let at = of_plain(scene, &self.course.states[*k])?;
             let efforts = Values(seeds(self.course.efforts(interval), NO_SEEDS));
             let loads = self.law.lift(&mut Jet::of).beside(efforts);
             let found = self.course.changed(*k, change, self.method, scene, &loads, at)?;
-            sum.iter_mut().zip(contracted(after, &found)).for_each(|(sum, more)| *sum += more);
+            sum.iter_mut().zip(costs.contracted(&found)?).for_each(|(sum, more)| *sum += more);
         }
         Ok(sum)
     }
@@ -205,7 +223,7 @@ impl<T: Scalar, Q: Position<T>, D: Closures, E: OfNumbers<T>> Course<Motion<T, Q
         scene: &System<X, Y, Z, W>,
         loads: &A,
         before: MotionOf<X, Y, Z, W>,
-    ) -> Result<MotionOf<X, Y, Z, W>, Error>
+    ) -> Result<ChangedOf<X, Y, Z, W>, Error>
     where
         X: Space<Scalar = Jet<T, K>>,
         Y: Root<X>,
@@ -221,18 +239,11 @@ impl<T: Scalar, Q: Position<T>, D: Closures, E: OfNumbers<T>> Course<Motion<T, Q
         let expected = &self.states[k + 1];
         let slack = Elementary::sqrt(T::Real::EPSILON);
         let near = |a: T, b: T| (a - b).real().abs() <= slack * (T::Real::one() + b.real().abs());
-        let alike = listed(&found).iter().zip(listed(expected)).all(|(a, b)| near(a.re, b));
+        let alike = listed(&found.next).iter().zip(listed(expected)).all(|(a, b)| near(a.re, b));
         let what = "the gradient of a run past a change of mode that hangs on rounding";
         let refused = Error::new(Fault::Unsupported { what }).at_time(expected.time.as_f64());
-        if alike && modes(&found) == modes(expected) { Ok(found) } else { Err(refused) }
+        if alike && modes(&found.next) == modes(expected) { Ok(found) } else { Err(refused) }
     }
-}
-
-/// Costates of positions, and then of rates, as a list.
-fn costates<T: Scalar, V: Rate<T>>(position: &V, rate: &V) -> Vec<T> {
-    let mut list = Vec::new();
-    [position, rate].into_iter().for_each(|costate| costate.visit(&mut |x| list.push(x)));
-    list
 }
 
 /// Numbers of positions, and then of rates, as a list.
@@ -248,21 +259,6 @@ fn modes<T: Scalar, Q: Position<T>, D: Closures>(motion: &Motion<T, Q, D>) -> Ve
     let (mut list, mut motion) = (Vec::new(), motion.clone());
     motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, _, _| list.push(*mode));
     list
-}
-
-/// Costates times the derivatives of a motion, by each seed.
-fn contracted<T: Scalar, Q: Position<Jet<T, K>>, D: Closures, const K: usize>(
-    after: &[T],
-    found: &Motion<Jet<T, K>, Q, D>,
-) -> [T; K] {
-    let (mut still, mut displacement) = (found.position.clone(), found.rate.clone());
-    still.replace(&mut |x| Jet::of(x.re));
-    found.position.apart(&still, &mut displacement);
-    let mut sum = [T::zero(); K];
-    for (costate, slopes) in after.iter().zip(costates(&displacement, &found.rate)) {
-        sum.iter_mut().zip(slopes.eps).for_each(|(sum, slope)| *sum += *costate * slope);
-    }
-    sum
 }
 
 /// A motion of a scene over jets that has no derivatives.

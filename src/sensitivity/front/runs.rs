@@ -13,8 +13,9 @@
 /// plan's torques alone; what else acts stands in the scene, as springs and laws in joints, and all else does not compile.
 ///
 /// Told to go `forward`, it takes all scenes, elements of your own and closures among them, and all methods, implicit ones too; derivatives then
-/// cost a run over jets for each eight inputs. The method is that of a [`Stepper`](crate::simulate::Stepper): joints that stick or strike stops
-/// change their modes by [`MoreauJean`](crate::time::MoreauJean).
+/// cost a run over jets for each eight inputs. The method is that of a [`Stepper`](crate::simulate::Stepper): joints with dry
+/// friction change their modes by [`MoreauJean`](crate::time::MoreauJean); those with hard stops are refused, for derivatives of its steps are not
+/// those of shocks.
 ///
 /// ```
 /// use catena::planar::*;

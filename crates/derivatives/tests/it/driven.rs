@@ -2,10 +2,10 @@
 //! through the same steps, projection included, and central differences.
 
 use super::held::share;
-use catena::Scalar;
 use catena::loading::LoadLaw;
 use catena::planar::*;
 use catena::scalar::Jet;
+use catena::{Error, Fault, Scalar};
 
 /// Around an offset to and fro, and on: b + u t + a sin (ω t + 0.3).
 #[derive(Clone, Copy)]
@@ -95,4 +95,52 @@ fn around_a_loop() {
     of!(Dopri5, 4, 0.03);
     of!(GeneralizedAlpha::new(0.8), 6, 0.02);
     of!(Sdirk4::new(), 4, 0.02);
+}
+
+/// A pivot that rises over a bump, for an eighth of the run.
+#[derive(Clone, Copy)]
+struct Bump<T> {
+    height: T,
+}
+catena::lift!(Bump { height });
+
+impl<T: Scalar<Real = f64>> Ground<T, GroundMotion<T>> for Bump<T> {
+    fn at(&self, time: f64) -> GroundMotion<T> {
+        let (zero, width, h) = (T::literal(0.0), 0.12, self.height);
+        let s = ((time - 0.48) / width).clamp(0.0, 1.0);
+        let r = 1.0 - s;
+        let [y, v, a] = [s * r, 3.0 * (r - s), 6.0 * (r * r - 3.0 * s * r + s * s)].map(|x| 64.0 * x);
+        let (y, v, a) = (y * (s * r).powi(2), v * (s * r).powi(2) / width, a * s * r / (width * width));
+        GroundMotion { place: [zero, h.scale(y)], velocity: [zero, h.scale(v)], acceleration: [zero, h.scale(a)] }
+    }
+}
+
+/// What moves the ground for a part of the run alone is noticed, and refused where a gradient is asked for along it.
+#[test]
+fn ground_that_moves_for_a_while_is_noticed() -> Result<(), Error> {
+    macro_rules! pendulum {
+        ($height:expr, $number:expr) => {{
+            let rod = Rod::uniform($number(0.5), $number(1.0));
+            System::new(Pinned::on(Bump { height: $height }), (rod, Pin, rod), Free)?.with_gravity($number(9.81))
+        }};
+    }
+    let scene = pendulum!(0.02, |x: f64| x);
+    let start = scene.at_rest(&[-1.2, -0.7])?;
+    let (mut backward, mut states) = (scene.backward(Rk4), vec![start; 1001]);
+    backward.run(&start, 1e-3, 1000, &[], &mut states)?;
+    let gradient =
+        backward.gradient(
+            &[],
+            &states,
+            &mut [],
+            |step, _, by| {
+                if step == 1000 { by.add(&[1.0, 0.0], &[0.0; 2]) } else { Ok(()) }
+            },
+        )?;
+    let refused = gradient.along(&pendulum!(Jet::<f64, 1>::seed(0.02, 0), Jet::of)).map_err(|error| error.fault);
+    assert!(matches!(refused, Err(Fault::Unsupported { what }) if what.contains("moves the ground")), "{refused:?}");
+    let [by_gravity] =
+        gradient.along(&pendulum!(Jet::<f64, 1>::of(0.02), |x| Jet::<f64, 1>::seed(x, usize::from(x < 9.0))))?;
+    assert!(by_gravity.is_finite() && by_gravity != 0.0);
+    Ok(())
 }

@@ -326,6 +326,51 @@ fn a_mechanism_whose_joint_rubs_and_strikes() -> Result<(), Error> {
     Ok(())
 }
 
+/// A block that falls h onto a stop which gives back a share e: when it strikes, and how fast before and after, against closed forms.
+#[test]
+fn costs_where_a_block_strikes() -> Result<(), Error> {
+    const SHARE: f64 = 0.5;
+    let slide = HardStops::between(Slider::along(FRAC_PI_2), [0.0, f64::INFINITY]).rebounding(SHARE);
+    let scene = System::new(Clamped::origin(), (slide, RigidBody::new(1.0, 1.0, [0.0; 2], [0.0; 2])), Free)?;
+    let (scene, g, h) = (scene.with_gravity(9.81), 9.81, 1.0_f64);
+    let mut start = scene.motion();
+    start.set_coordinates(&[h])?;
+    let mut backward = scene.backward(Dop853);
+    let course = backward.course(&start, Dop853::tolerance(1e-11), 0.8, &[])?;
+    let Some(hit) = course.changes().nth(1) else { panic!("it strikes") };
+    let mut by_height = |cost: &dyn Fn(usize) -> [f64; 3]| {
+        let gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
+            let [place, rate, time] = cost(step);
+            by.time += time;
+            by.add(&[place], &[rate])
+        });
+        gradient.map(|gradient| gradient.by_position()[0])
+    };
+    let at = |state: usize, cost: [f64; 3]| move |step: usize| if step == state { cost } else { [0.0; 3] };
+    let [of_time, before] = [1.0 / (2.0 * g * h).sqrt(), -(0.5 * g / h).sqrt()];
+    for (state, cost, exact) in [
+        (hit - 1, [0.0, 0.0, 1.0], of_time),
+        (hit, [0.0, 0.0, 1.0], of_time),
+        (hit - 1, [0.0, 1.0, 0.0], before),
+        (hit, [0.0, 1.0, 0.0], -SHARE * before),
+        (hit - 1, [1.0, 0.0, 0.0], 0.0),
+        (hit, [1.0, 0.0, 0.0], 0.0),
+    ] {
+        near(by_height(&at(state, cost))?, exact, 1e-10);
+    }
+    // With a cost at the end besides: after a time T it is at e v t − g t² / 2 for t = T − v / g, v = √(2 g h).
+    let last = course.states().len() - 1;
+    let (v, of_v) = ((2.0 * g * h).sqrt(), (0.5 * g / h).sqrt());
+    let later = 0.8 - v / g;
+    let of_end = SHARE * of_v * later - (SHARE * v - g * later) * of_v / g;
+    let found = by_height(&|step| {
+        let end = if step == last { 3.0 } else { 0.0 };
+        if step == hit { [end, 2.0, 5.0] } else { [end, 0.0, 0.0] }
+    })?;
+    near(found, 3.0 * of_end - 2.0 * SHARE * before + 5.0 * of_time, 1e-9);
+    Ok(())
+}
+
 /// A four-bar with friction in more joints than it has freedoms: until it rests, and while it does.
 #[test]
 fn a_mechanism_whose_joints_all_rub() -> Result<(), Error> {
