@@ -23,7 +23,7 @@ pub mod relation {
 }
 pub mod shape {
     pub use crate::shape::{
-        AsJoint, Field, Inward, Joint, JointPosture, Kept, Member, Of, Outward, PerAxes, Shape, Slot,
+        AsJoint, Field, Inward, Joint, JointPosture, Kept, Member, Of, Outward, PerAxes, Selective, Shape, Slot, Takes,
     };
 }
 pub mod space {

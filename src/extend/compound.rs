@@ -3,7 +3,8 @@
 /// Makes an element of a type that consists of elements: `catena::compound!([T: Scalar] Tank<T> { parts: Parts<T> })` for a struct with
 /// the field `parts` of that type, a tuple of bodies, joints and arms. It is an element of every space of which its parts are.
 ///
-/// Its bodies, joints and coordinates are those of its parts, in their order: loads, readings and motions reach all of them.
+/// Its bodies, joints and coordinates are those of its parts, in their order: loads, readings and motions reach all of them. What goes through
+/// its parts goes through it: gradients [backward](crate::sensitivity::Backward), Taylor series.
 #[macro_export]
 #[doc(hidden)] // listed in `extend`
 macro_rules! compound {
@@ -153,6 +154,24 @@ macro_rules! compound {
                         given,
                         kept,
                     )
+                }
+            }
+
+            impl<Spaced, Walk, $($generics)*> $crate::internals::shape::Takes<Spaced, Walk> for $Whole
+            where
+                Spaced: $crate::internals::element::Space,
+                Walk: $crate::internals::shape::Selective<Spaced>,
+                $Parts: $crate::internals::shape::Takes<Spaced, Walk>,
+            {
+                #[inline(always)]
+                fn take(
+                    &self,
+                    walk: &mut Walk,
+                    carried: Walk::Carried,
+                    mut stores: $crate::internals::shape::Of<'_, Spaced, Walk, Self>,
+                ) -> Walk::Carried {
+                    let stores = <Walk::Stores as $crate::internals::shape::Slot<Spaced>>::member::<Self, _>(&mut stores, CatenaParts);
+                    $crate::internals::shape::Takes::<Spaced, Walk>::take(&self.$parts, walk, carried, stores)
                 }
             }
 

@@ -1,14 +1,15 @@
 //! The builder's door: joints, bodies, laws and ends of crates that use this one.
 //!
 //! What is particular of an element is said once, in some ten to forty lines; everything else follows from it: sweeps of all rules,
-//! forces, energy, modes, equilibria, transfer matrices, derivatives.
+//! forces, energy, modes, equilibria, transfer matrices, derivatives by jets and dual numbers. Gradients backward and Taylor series go through
+//! what is made by [`compound!`](crate::compound) of elements that they know, and through laws of one's own that are lifted.
 //!
 //! | of one's own | how | example |
 //! |---|---|---|
 //! | a law along a coordinate | [`SpringLaw`](crate::planar::SpringLaw), and [`spatial::RotaryLaw`](crate::spatial::RotaryLaw), in a joint of this crate, or read by [`Resistance::of`] | a stop, a stiffening spring: there |
 //! | a joint | [`JointModel`]: [`Kinematics`] and what acts along their coordinate; [`joint!`](crate::joint) | `examples/own_joint.rs`: a geared motor, 37 lines |
 //! | a joint of several coordinates | joints of one in a row; [`compound!`](crate::compound), [the guide](crate::guide::own_elements#joints-of-several-coordinates) | `examples/own_gimbal.rs`: a universal joint of two motors, 25 lines |
-//! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate, free and driven | |
+//! | a joint that moves in a way of its own | [`Kinematics`]: its motion, and the elimination of its coordinate, free and driven, by relations that stand in the hidden module `internals`, of which no promise is made | |
 //! | a body | a struct of bodies, joints and arms; [`compound!`](crate::compound) | `examples/own_body.rs`: a tank in which liquid sloshes, 36 lines |
 //! | an end | [`Ground`](crate::planar::Ground): how its ground moves | below |
 //! | a walk | [`walks`]: what is done at a body and at a joint | there |

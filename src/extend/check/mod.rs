@@ -1,11 +1,12 @@
 //! A test for elements of one's own: what a scene says in one way against what it says in another.
 
 mod census;
+mod parameters;
 mod trial;
 
 use crate::element::{Element, Space, SpaceOver, Unloaded};
 use crate::ends::{Root, Tip};
-use crate::error::Error;
+use crate::error::{Error, Fault};
 use crate::lift::Lift;
 use crate::mirror::{Position, Rate};
 use crate::scalar::Jet;
@@ -64,6 +65,9 @@ impl From<Error> for Doubt {
     }
 }
 
+/// In so many of the first states derivatives by each number are looked at.
+const PARAMETERS: usize = 2;
+
 /// One derivative.
 type Dual = Jet<f64, 1>;
 /// A scene over numbers with one derivative.
@@ -82,10 +86,10 @@ type Varied<S, R, C, P> = System<<S as SpaceOver<Dual>>::Over, Over<R>, Over<C>,
 ///   no derivatives of places;
 /// * slopes of laws with derivatives of forces;
 /// * the force at the root with that by transfer matrices, where the scene has them;
-/// * derivatives by jets with differences.
+/// * derivatives by jets with differences: by positions and rates, and, of accelerations and energy, by each number that the scene is made of.
 ///
 /// Put the element into a scene in which all of its sides matter: bodies inboard and outboard of it, a joint beyond, gravity. The tip must
-/// be free, and no loop closed.
+/// be free, and no loop closed: such scenes are refused.
 ///
 /// ```
 /// use catena::extend::check_element;
@@ -98,7 +102,7 @@ type Varied<S, R, C, P> = System<<S as SpaceOver<Dual>>::Over, Over<R>, Over<C>,
 /// ```
 ///
 /// # Errors
-/// The first [`Disagreement`], or why a sweep fails.
+/// The first [`Disagreement`], or why a sweep fails; [`Fault::Unsupported`] for a scene that closures hold together, and [`Fault::NotPositive`] for no trials.
 pub fn check_element<S, R, C, P, const N: usize>(scene: &System<S, R, C, P>, trials: usize) -> Result<(), Doubt>
 where
     S: Inertial + Exact<N> + Space<Scalar = f64> + SpaceOver<Dual>,
@@ -108,6 +112,14 @@ where
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P> + StiffDynamics<Unloaded>,
     Varied<S, R, C, P>: Runs<Unloaded, S::Over, Over<R>, Over<C>, Over<P>>,
 {
+    if System::<S, R, C, P>::CLOSED > 0 {
+        return Err(
+            Error::new(Fault::Unsupported { what: "a check of elements whose tip is held, or in a loop" }).into()
+        );
+    }
+    if trials == 0 {
+        return Err(Error::new(Fault::NotPositive { parameter: "number of trials", value: 0.0 }).into());
+    }
     let varied = scene.lift(Dual::of);
     let mut noise = Noise(0x9e37_79b9_7f4a_7c15);
     for trial in 0..trials {
@@ -132,6 +144,9 @@ where
         at.slopes()?;
         at.matrices::<N>()?;
         at.derivatives(&along)?;
+        if trial < PARAMETERS {
+            at.parameters()?;
+        }
     }
     Ok(())
 }

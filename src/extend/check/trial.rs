@@ -41,7 +41,7 @@ where
     Varied<S, R, C, P>: Runs<Unloaded, S::Over, Over<R>, Over<C>, Over<P>>,
 {
     /// Fails where two numbers differ by more than an error.
-    fn same(
+    pub(super) fn same(
         &self,
         what: &'static str,
         coordinate: usize,
@@ -171,6 +171,7 @@ where
         let moving = self.seeded(&rate, &acceleration);
         let budget = self.varied.budget(&moving)?;
         let found = budget.energy().eps[0];
+        self.same("energy: it is no number", 0, [budget.energy().re; 2], 0.0)?;
         let mut still = self.motion.clone();
         still.rate.replace(&mut |_| 0.0);
         if self.is_carried(&still)? {
@@ -185,7 +186,8 @@ where
         for ((with, without), rate) in forces(&with).iter().zip(forces(&without)).zip(&rate) {
             damped += (with - without) * rate;
         }
-        let size = budget.kinetic.eps[0].abs() + budget.potential.eps[0].abs() + damped.abs();
+        let energies = [budget.kinetic, budget.potential];
+        let size = energies.iter().map(|x| x.re.abs() + x.eps[0].abs()).sum::<f64>() + damped.abs();
         let what = "rate of energy against power: energy that does not match force or inertia, or motion that is no derivative";
         self.same(what, 0, [found, damped], SHARE * size)
     }
@@ -269,7 +271,7 @@ where
     }
 
     /// The motion over numbers with one derivative, along these changes of positions and rates.
-    fn seeded(&self, position: &[f64], rate: &[f64]) -> MotionOf<S::Over, Over<R>, Over<C>, Over<P>> {
+    pub(super) fn seeded(&self, position: &[f64], rate: &[f64]) -> MotionOf<S::Over, Over<R>, Over<C>, Over<P>> {
         let mut motion = self.varied.motion().at_time(self.motion.time);
         let mut stored = Vec::new();
         self.motion.position.visit(&mut |x| stored.push(x));

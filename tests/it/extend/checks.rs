@@ -22,6 +22,10 @@ enum Wrong {
     /// Slopes that are not the force's.
     Stiffness,
     Damping,
+    /// An energy that is no number.
+    NoEnergy,
+    /// A stiffness that is read without its derivatives.
+    Lost,
 }
 
 /// A hinge with a spring that stiffens, k (φ + φ³), and a damper.
@@ -59,13 +63,18 @@ impl<S: catena::system::Space, K: Kinematics<S>> JointModel<S> for Stiffening<S:
     }
     fn resistance(&self, position: S::Scalar, rate: S::Scalar) -> Resistance<S::Scalar> {
         let (square, of) = (position * position, |x: f64| S::Scalar::literal(x));
-        let force = -(self.stiffness * position * (of(1.0) + square) + self.damping * rate);
+        let lost = S::Scalar::constant(self.stiffness.real());
+        let stiffness = if self.wrong == Wrong::Lost { lost } else { self.stiffness };
+        let force = -(stiffness * position * (of(1.0) + square) + self.damping * rate);
         let cubic = of(if self.wrong == Wrong::Stiffness { 1.0 } else { 3.0 });
         let damping = if self.wrong == Wrong::Damping { -self.damping } else { self.damping };
-        Resistance { force, stiffness: self.stiffness * (of(1.0) + cubic * square), damping }
+        Resistance { force, stiffness: stiffness * (of(1.0) + cubic * square), damping }
     }
     fn energy(&self, position: S::Scalar) -> S::Scalar {
         let (square, of) = (position * position, |x: f64| S::Scalar::literal(x));
+        if self.wrong == Wrong::NoEnergy {
+            return of(f64::NAN);
+        }
         let fourth = of(if self.wrong == Wrong::Energy { 0.5 } else { 0.25 });
         self.stiffness * square * (of(0.5) + fourth * square)
     }
@@ -276,6 +285,8 @@ fn what_is_wrong_is_named() -> Result<(), catena::Error> {
         (Wrong::Energy, "energy that does not match force"),
         (Wrong::Stiffness, "stiffness of a law against"),
         (Wrong::Damping, "damping of a law against"),
+        (Wrong::NoEnergy, "it is no number"),
+        (Wrong::Lost, "a number whose derivatives are lost"),
     ] {
         let said = words(check_element(&in_plane!(stiffening(hinge, wrong))?, 10));
         assert!(said.contains(word), "{wrong:?}: {said}");
@@ -283,6 +294,24 @@ fn what_is_wrong_is_named() -> Result<(), catena::Error> {
         let said = words(check_element(&in_space!(stiffening(about, wrong))?, 10));
         assert!(said.contains(word), "{wrong:?}: {said}");
     }
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_checked_is_refused() -> Result<(), catena::Error> {
+    let fault = |found: Result<(), Doubt>| match found {
+        Err(Doubt::Failure(error)) => error.fault,
+        other => panic!("{other:?}"),
+    };
+    let rod = Rod::uniform(0.7_f64, 1.0);
+    let held = System::new(Pinned::origin(), (rod, Pin, rod), Pinned::at(1.0, 0.0))?;
+    assert!(matches!(fault(check_element(&held, 3)), Fault::Unsupported { .. }));
+    let arm = (RigidBody::massless([1.0, 0.0]), Pin, rod);
+    let looped = System::new(Pinned::origin(), planar::Network::new((rod, Pin, rod), arm, Pin), Free)?;
+    assert!(matches!(fault(check_element(&looped, 3)), Fault::Unsupported { .. }));
+    let chain = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
+    assert!(matches!(fault(check_element(&chain, 0)), Fault::NotPositive { .. }));
+    assert_eq!(check_element(&chain, 3), Ok(()));
     Ok(())
 }
 

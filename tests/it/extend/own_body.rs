@@ -131,3 +131,26 @@ fn its_derivatives_are_those_of_what_it_is_composed_of() -> Result<(), Error> {
     }
     Ok(())
 }
+
+/// What goes through its parts goes through the whole: gradients backward, by the mass of the liquid, and Taylor series.
+#[test]
+fn gradients_go_backward_through_it_and_series_through_its_motion() -> Result<(), Error> {
+    let scene = own!(f64, 1.7, 0.5)?;
+    let start = moving!(scene, f64);
+    let (mut backward, mut states) = (scene.backward(Rk4), [start; 101]);
+    backward.run(&start, 5e-3, 100, &[], &mut states)?;
+    let gradient = backward.gradient(&[], &states, &mut [], |step, _, by| {
+        if step == 100 { by.add(&[0.0, 1.0, 0.0], &[0.0; 3]) } else { Ok(()) }
+    })?;
+    type Number = Jet<f64, 1>;
+    let seeded = own!(Number, Number::seed(1.7, 0), 0.5)?;
+    let run = seeded.simulate(moving!(seeded, Number), Rk4::step(Number::of(5e-3).re), 0.5, |_| ())?;
+    let expected = run.motion.coordinates()[1].eps[0];
+    let [by_mass] = gradient.along(&seeded)?;
+    assert!(expected.abs() > 1e-4);
+    near(by_mass, expected, 1e-12);
+    let by_steps = scene.simulate(start, Dop853::tolerance(1e-12), 2.0, |_| ())?.motion.coordinates();
+    let by_series = scene.simulate(start, Taylor::<24>::tolerance(1e-12), 2.0, |_| ())?.motion.coordinates();
+    by_steps.iter().zip(by_series).for_each(|(a, b)| near(*a, b, 1e-10));
+    Ok(())
+}
