@@ -123,6 +123,8 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// 5e-14 and 8e-14, of a catenary of 30 rods to 2e-12, and of a beam of 80 stiff rods, whose frequencies span four decades,
     /// to 1e-9.
     ///
+    /// Over jets and dual numbers frequencies are plain numbers: the derivative of ω² along a seed is φᵀ (dK − ω² dM) φ of a mode with φᵀ M φ = 1.
+    ///
     /// # Errors
     /// [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6
     /// (over `f32` 2e-3), infinite for a scene that falls freely;

@@ -18,6 +18,11 @@ use crate::visit::Level;
 use num_traits::One;
 
 /// What acts on a scene besides uniform gravity. Its types say what a sweep has to carry: [`Absent`] parts cost nothing.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no loads of a scene",
+    label = "no loads of this space",
+    note = "a law of a body's motion acts as `Loads::none().on_bodies_by(law)`, one of a joint's as `Loads::none().in_joints_by(law)`; such loads stand beside `Struts` and `Couplings` by their `and`"
+)]
 pub trait Loading<S: Space> {
     /// Load on a body, or `Absent`.
     type OnBody: Load<S>;

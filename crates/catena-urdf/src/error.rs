@@ -3,8 +3,8 @@
 use std::fmt;
 use std::path::PathBuf;
 
-/// Why a description is refused.
-#[derive(Clone, Debug, PartialEq)]
+/// Why a description is refused. Debug output is the text, too: that is what Cargo shows of a `build.rs` whose `main` returns it.
+#[derive(Clone, PartialEq)]
 pub struct Error {
     /// The file, where one was read.
     pub file: Option<PathBuf>,
@@ -193,6 +193,12 @@ impl Error {
     /// A fault of the whole.
     pub(crate) fn new(fault: Fault) -> Self {
         Self { file: None, line: None, fault }
+    }
+}
+
+impl fmt::Debug for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 
