@@ -55,7 +55,7 @@ fn a_mechanism_with_friction_in_its_pins_comes_to_rest() -> Ends {
         let scene = scene.with_gravity(9.81);
         let start = scene.assembled(scene.at_rest(&[1.0, 0.3, 1.2])?, &Unloaded)?;
         macro_rules! rests {
-            ($rule:expr, $small:expr) => {{
+            ($rule:expr, $small:expr, $rises:expr) => {{
                 let (mut ways, mut last, mut energies) = (0.0, start.coordinates(), vec![]);
                 let run = scene.simulation($rule).run(start, 5.0, |now| {
                     let next = now.motion().coordinates();
@@ -66,17 +66,19 @@ fn a_mechanism_with_friction_in_its_pins_comes_to_rest() -> Ends {
                 let lost = energies[0] - energies[energies.len() - 1];
                 println!("{friction}, {}: {} steps, lost {lost}, {}", stringify!($rule), run.steps, friction * ways);
                 near(lost, friction * ways, $small);
-                assert!(energies.windows(2).all(|pair| pair[1] <= pair[0] + 1e-9));
+                let rise = energies.windows(2).fold(0.0_f64, |most, pair| most.max(pair[1] - pair[0]));
+                assert!(rise < $rises, "{rise}");
                 assert!(run.motion.rates().iter().all(|rate| rate.abs() < 1e-12));
                 run.motion.coordinates()
             }};
         }
-        let exact = rests!(Dop853::tolerance(1e-11), 1e-7);
+        let exact = rests!(Dop853::tolerance(1e-11), 1e-7, 1e-9);
         for (found, small) in [
-            (rests!(Rk4::step(2e-3), 1e-6), 1e-6),
-            (rests!(Sdirk4::new().step(4e-3), 1e-4), 1e-5),
-            (rests!(Vcabm::new().tolerance(1e-10), 1e-5), 1e-6),
-            (rests!(MoreauJean::step(5e-4), 0.1), 1e-2),
+            (rests!(Rk4::step(2e-3), 1e-6, 1e-9), 1e-6),
+            (rests!(Sdirk4::new().step(4e-3), 1e-4, 1e-9), 1e-5),
+            (rests!(Vcabm::new().tolerance(1e-10), 1e-5, 1e-9), 1e-6),
+            // Of order one: a step errs by more, and where it comes to rest friction is that of joints that still creep.
+            (rests!(MoreauJean::step(5e-4), 0.1, 1e-7), 1e-2),
         ] {
             found.iter().zip(&exact).for_each(|(found, exact)| near(*found, *exact, small));
         }
@@ -254,7 +256,7 @@ fn random_mechanisms_break_away() -> Ends {
     Ok(())
 }
 
-/// Five-bars whose joints all rub, and strike stops, and rest at these, under two torques to and fro: runs with events go on to their ends.
+/// Five-bars whose joints all rub, and strike stops, and rest at these, under two torques to and fro: runs go on to their ends.
 #[test]
 fn mechanisms_of_two_freedoms_that_rub_and_strike_go_on() -> Ends {
     let mut random = Noise::new(31);
@@ -285,6 +287,7 @@ fn mechanisms_of_two_freedoms_that_rub_and_strike_go_on() -> Ends {
         }
         goes_on!(Dop853::tolerance(1e-8));
         goes_on!(Vcabm::new().tolerance(1e-7));
+        goes_on!(MoreauJean::step(1e-3));
     }
     Ok(())
 }

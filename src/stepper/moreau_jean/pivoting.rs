@@ -15,6 +15,10 @@ const PATIENCE: usize = 3;
 /// together.
 const LOOSE: [usize; 2] = [8, 2];
 const PASSES: [usize; 2] = [64, 8];
+/// Passes in which too many are held, before it is clear that no choices go together.
+const MOST: usize = 10_000;
+/// A force of friction beyond this share of its limit, where something is closed, is that of more joints than closures leave free, but for rounding.
+const BEYOND: f64 = 1e6;
 /// So often joints turn round, for each of them, before it is clear that not drives alone move them.
 const TURNS: usize = 2;
 /// A rate is that of rest by so many roundings, and, where others keep a joint that is let go at rest, by such a share: they do so by their
@@ -34,6 +38,8 @@ pub(super) struct Pivoting {
     largest: f64,
     /// Turns of joints that slip, once more were held than closures leave free to move.
     turns: Option<usize>,
+    /// The joint that alone was held since the pass before, and what it did then.
+    held: Option<(usize, Mode)>,
 }
 
 impl Pivoting {
@@ -47,25 +53,43 @@ impl Pivoting {
             still: ROUNDINGS * R::EPSILON.as_f64(),
             largest: 0.0,
             turns: None,
+            held: None,
         }
     }
 
-    /// Lets the last of the joints go that are held, where accelerations are no numbers: of more than closures leave free to move. It will
-    /// not move where the others keep it from doing so.
+    /// Changes one of the joints that are held, where accelerations are no numbers, or forces out of all proportion: of more than closures leave free
+    /// to move. The one that was held last moves as the others have it, against its friction the other way; otherwise the last one is let go.
     pub(super) fn lets_one_go<T: Scalar, P: Position<T>>(
         &mut self,
         position: &mut P,
         rate: &mut P::Rate,
         found: &P::Rate,
     ) -> bool {
-        let mut finite = true;
-        found.visit(&mut |x| finite &= x.is_finite());
-        if finite {
+        let (mut sound, closed) = (true, self.closed);
+        found.visit(&mut |x| sound &= x.is_finite());
+        position.each_mode(rate, found, &mut |mode, _, told| {
+            let halts = closed && *mode == Mode::Halts;
+            sound &= !(halts && told.guard.real().as_f64().abs() > BEYOND);
+        });
+        let held = self.held.take();
+        if sound {
             return false;
         }
-        (self.patience, self.still) = (0, MISSED);
-        self.turns.get_or_insert(0);
-        let_last_go(position, rate, found)
+        self.patience = 0;
+        let Some((joint, before)) = held else {
+            self.still = MISSED;
+            self.turns.get_or_insert(0);
+            return let_last_halted_go(position, rate, found) || let_last_go(position, rate, found);
+        };
+        let mut count = 0;
+        position.each_mode(rate, found, &mut |mode, _, _| {
+            if count == joint {
+                *mode = before.turned_round();
+            }
+            count += 1;
+        });
+        self.passes += 1;
+        self.passes < MOST
     }
 
     /// Whether what joints do goes together, by the accelerations that came of it. It is changed otherwise.
@@ -120,15 +144,21 @@ impl Pivoting {
         let turning = self.turns.as_mut().filter(|turns| **turns < TURNS * joints);
         // Where closures leave nothing free, friction halts nothing: what moves as drives say slips the way that it goes.
         let turns = turning.is_some();
+        let mut held = None;
         position.each_mode(rate, found, &mut |mode, rate, told| {
             if all || joint == first {
+                let before = *mode;
                 *mode = match changed(*mode, *rate, &told, (dt, still)) {
                     Some(Mode::Halts) if turns => mode.turned_round(),
                     other => other.unwrap_or(*mode),
                 };
+                if !all && *mode == Mode::Halts {
+                    held = Some((joint, before));
+                }
             }
             joint += 1;
         });
+        self.held = held;
         if let Some(turns) = turning {
             *turns += 1;
         }
@@ -182,4 +212,23 @@ pub(super) fn ended<T: Scalar>(mode: &mut Mode, rate: &mut T, told: &Told<T>, dt
         Mode::Lands | Mode::Rebounds => *mode = Mode::at(*rate, told.rubs),
         _ => (),
     }
+}
+
+/// Lets the last of the joints go that friction holds: one at its stop can yield to nothing. Gives whether there is one.
+fn let_last_halted_go<T: Scalar, P: Position<T>>(position: &mut P, rate: &mut P::Rate, found: &P::Rate) -> bool {
+    let (mut last, mut count) = (None, 0);
+    position.each_mode(rate, found, &mut |mode, _, _| {
+        if *mode == Mode::Halts {
+            last = Some(count);
+        }
+        count += 1;
+    });
+    count = 0;
+    position.each_mode(rate, found, &mut |mode, _, told| {
+        if last == Some(count) {
+            *mode = mode.moving(told.rubs);
+        }
+        count += 1;
+    });
+    last.is_some()
 }
