@@ -12,6 +12,9 @@ use num_traits::{One, Zero};
 const NEAR: f64 = 0.1;
 /// The share of it that the next one has at most.
 const NEARER: f64 = 0.1;
+/// Up to such a share of the largest, or of one (rad/s, m/s), rates may miss what closures allow, which the first step closes: so that small changes of a
+/// start, as of lengths and in differences, are what they are in gradients, which go through that step.
+const MISSED: f64 = 1e-4;
 /// Corrections of rates, of which the first but for rounding does.
 const CORRECTIONS: usize = 3;
 
@@ -51,12 +54,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Err(Error::new(Fault::NotAssembled { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
     }
 
-    /// Refuses rates that closures do not allow, by more than what a step corrects unnoticed.
+    /// Refuses rates that closures do not allow, by more than what the first step closes.
     pub(crate) fn led(&self, motion: &MotionOf<S, R, C, P>) -> Result<(), Error> {
         let (residual, place) = self.largest_residual(motion, Level::Velocity);
         let mut largest = RealOf::<S>::one();
         motion.rate.visit(&mut |rate| largest = largest.max(rate.real().abs()));
-        if residual <= RealOf::<S>::EPSILON.powf(RealOf::<S>::of(2.0 / 3.0)) * largest {
+        if residual <= RealOf::<S>::of(MISSED) * largest {
             return Ok(());
         }
         Err(Error::new(Fault::NotAssembled { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
