@@ -26,7 +26,7 @@
 //! ```
 //!
 //! A run begins from what is nearly closed, as from angles of six digits: its first steps close it. Anything else is refused,
-//! [`NotAssembled`](crate::Fault::NotAssembled), rather than drawn together as if by a blow. Rates that miss what closures allow by more than 1e-4 of the
+//! [`NotAssembled`](crate::Fault::NotAssembled), rather than drawn together as if by a blow. Rates that miss what closures allow by more than 1e-2 of the
 //! largest are taken to the nearest that they allow, by the inertia of the scene, before the first step, as when links are caught and as `assembled`
 //! does; others, and by steps of a [`Stepper`](crate::simulate::Stepper) of one's own all, in the first step, whose size the motion then depends on. Over jets and dual numbers assemble the start over these: of one whose numbers are closed
 //! and whose derivatives are not, a first step closes the derivatives.

@@ -14,7 +14,7 @@ const NEAR: f64 = 0.1;
 const NEARER: f64 = 0.1;
 /// Up to such a share of the largest, or of one (rad/s, m/s), rates may miss what closures allow, which the first step closes: so that small changes of a
 /// start, as of lengths and in differences, are what they are in gradients, which go through that step.
-const MISSED: f64 = 1e-4;
+const MISSED: f64 = 1e-2;
 /// Corrections of rates, of which the first but for rounding does.
 const CORRECTIONS: usize = 3;
 
