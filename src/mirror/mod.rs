@@ -20,7 +20,7 @@ mod tuple;
 pub use clock::Clock;
 pub use guarded::{Guarded, GuardedRate, Guarding, Rubs, RubsBetweenStops, Stops};
 pub use mode::{Mode, Told};
-pub(crate) use mode::{let_all_go, let_last_go};
+pub(crate) use mode::{let_all_go, let_last_go, with_joint};
 pub use tied::{Tied, TiedPosition};
 
 use crate::scalar::Scalar;

@@ -161,15 +161,38 @@ pub(crate) fn let_all_go<T: Scalar, P: Position<T>>(position: &mut P, rate: &mut
     position.each_mode(rate, found, &mut |mode, _, told| *mode = mode.moving(told.rubs));
 }
 
-/// Lets the last of the joints go whose acceleration is given; whether there is one.
-pub(crate) fn let_last_go<T: Scalar, P: Position<T>>(position: &mut P, rate: &mut P::Rate, found: &P::Rate) -> bool {
-    let (mut held, mut count) = (0, 0);
-    position.each_mode(rate, found, &mut |mode, _, _| held += usize::from(mode.is_locked()));
-    position.each_mode(rate, found, &mut |mode, _, told| {
-        count += usize::from(mode.is_locked());
-        if mode.is_locked() && count == held {
-            *mode = mode.moving(told.rubs);
+/// Does something with the joint of a number, of those with modes.
+pub(crate) fn with_joint<T: Scalar, P: Position<T>>(
+    position: &mut P,
+    rate: &mut P::Rate,
+    found: &P::Rate,
+    joint: usize,
+    change: &mut dyn FnMut(&mut Mode, &mut T, Told<T>),
+) {
+    let mut count = 0;
+    position.each_mode(rate, found, &mut |mode, rate, told| {
+        if count == joint {
+            change(mode, rate, told);
         }
+        count += 1;
     });
-    held > 0
+}
+
+/// Lets the last of the joints go that are held as one asks; whether there is one.
+pub(crate) fn let_last_go<T: Scalar, P: Position<T>>(
+    position: &mut P,
+    rate: &mut P::Rate,
+    found: &P::Rate,
+    is_held: fn(Mode) -> bool,
+) -> bool {
+    let (mut last, mut count) = (None, 0);
+    position.each_mode(rate, found, &mut |mode, _, _| {
+        if is_held(*mode) {
+            last = Some(count);
+        }
+        count += 1;
+    });
+    let Some(last) = last else { return false };
+    with_joint(position, rate, found, last, &mut |mode, _, told| *mode = mode.moving(told.rubs));
+    true
 }

@@ -19,8 +19,12 @@ pub(super) fn margin<T: Scalar>(mode: Mode, rate: T, told: &Told<T>) -> f64 {
 
 /// Whether a joint that slips stands still, and is not about to move: what all others hold, whichever way it slips.
 pub(super) fn idles<T: Scalar>(rate: T, told: &Told<T>) -> bool {
-    let [rate, second] = [rate, told.rate].map(|x| x.real().abs());
-    rate <= Mode::touch() && second <= Mode::reluctance()
+    stands(rate) && told.rate.real().abs() <= Mode::reluctance()
+}
+
+/// Whether a rate is none.
+pub(super) fn stands<T: Scalar>(rate: T) -> bool {
+    rate.real().abs() <= Mode::touch()
 }
 
 /// The rate of a joint that slips, or its acceleration, the way it slips.

@@ -7,7 +7,7 @@ use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Mode, Position, Rate, let_all_go};
+use crate::mirror::{Mode, Position, Rate, let_all_go, with_joint};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, RateOf, Runs, System};
@@ -156,13 +156,10 @@ where
         let (system, loads) = (self.plan.system, self.plan.loads);
         let mut workspace = Dynamics::<L>::workspace(system);
         let mut under = |given: Mode| {
-            let (mut motion, mut count) = (self.next.clone(), 0);
-            motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, _| {
-                if count == joint {
-                    // What moves is not locked; that its rate is zero here changes both sweeps alike.
-                    (*mode, *rate) = (given, S::Scalar::zero());
-                }
-                count += 1;
+            let mut motion = self.next.clone();
+            // What moves is not locked; that its rate is zero here changes both sweeps alike.
+            with_joint(&mut motion.position, &mut motion.rate, &motion.acceleration, joint, &mut |mode, rate, _| {
+                (*mode, *rate) = (given, S::Scalar::zero());
             });
             system.accelerate(&mut motion, loads, &mut workspace)?;
             Ok::<_, Error>(motion.acceleration)

@@ -5,12 +5,12 @@
 //! is made by least-index pivoting (R. G. Bland, New finite pivoting rules for the simplex method, Math. Oper. Res. 2, 1977).
 
 use super::drive::Running;
-use super::margin::{forward, idles, margin, touched};
+use super::margin::{forward, idles, margin, stands, touched};
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Mode, Position, let_last_go};
+use crate::mirror::{Mode, Position, let_last_go, with_joint};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, Runs, System};
@@ -35,7 +35,7 @@ where
     pub(super) fn share_surplus(&mut self, error: Error) -> Result<(), Error> {
         while self.is_surplus()? {
             let next = &mut self.next;
-            if !let_last_go(&mut next.position, &mut next.rate, &next.acceleration) {
+            if !let_last_go(&mut next.position, &mut next.rate, &next.acceleration, Mode::is_locked) {
                 return Err(error);
             }
         }
@@ -46,7 +46,8 @@ where
     pub(super) fn holds_others(motion: &mut MotionOf<S, R, C, P>, joint: usize) -> bool {
         let (mut found, mut count) = (false, 0);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            found |= count != joint && mode.sign::<S::Scalar>() != S::Scalar::zero() && idles(*rate, &told);
+            let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack);
+            found |= count != joint && slips && idles(*rate, &told);
             count += 1;
         });
         found
@@ -101,12 +102,9 @@ where
     /// Has a joint that stands but for rounding stick or rest; where others hold it, which do, its friction acts the other way instead. Finds
     /// accelerations.
     fn hold_by(&mut self, joint: usize, from: Mode, to: Mode) -> Result<(), Error> {
-        let (next, mut count) = (&mut self.next, 0);
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, _| {
-            if count == joint {
-                (*mode, *rate) = (to, S::Scalar::zero());
-            }
-            count += 1;
+        let next = &mut self.next;
+        with_joint(&mut next.position, &mut next.rate, &next.acceleration, joint, &mut |mode, rate, _| {
+            (*mode, *rate) = (to, S::Scalar::zero());
         });
         if self.is_surplus()? {
             self.set_mode(joint, from.turned_round());
@@ -173,9 +171,4 @@ where
 /// there.
 fn slack<R: Real>() -> f64 {
     0.0625 * R::EPSILON.sqrt().as_f64()
-}
-
-/// Whether a rate is none.
-fn stands<T: Scalar>(rate: T) -> bool {
-    rate.real().abs() <= Mode::touch()
 }

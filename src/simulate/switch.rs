@@ -8,7 +8,7 @@ use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Mode, Position, Rate, Told, let_all_go, let_last_go};
+use crate::mirror::{Mode, Position, Rate, Told, let_all_go, let_last_go, with_joint};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
 use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System};
@@ -52,7 +52,7 @@ where
                 return self.share_surplus(error).map(|()| false);
             }
             let next = &mut self.next;
-            if !(overlocked && let_last_go(&mut next.position, &mut next.rate, &next.acceleration)) {
+            if !(overlocked && let_last_go(&mut next.position, &mut next.rate, &next.acceleration, Mode::is_locked)) {
                 return Err(error);
             }
             loosened = true;
@@ -90,13 +90,8 @@ where
 
     /// Has a joint do something else.
     pub(super) fn set_mode(&mut self, joint: usize, to: Mode) {
-        let (next, mut count) = (&mut self.next, 0);
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, _| {
-            if count == joint {
-                *mode = to;
-            }
-            count += 1;
-        });
+        let next = &mut self.next;
+        with_joint(&mut next.position, &mut next.rate, &next.acceleration, joint, &mut |mode, _, _| *mode = to);
     }
 
     /// Changes the mode of the joint that has ended the step, and of those that change with it; `pace` tells how fast the guard of a joint that does

@@ -29,12 +29,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P>,
     {
-        let (mut now, mut steps) = (motion.clone(), [RealOf::<S>::zero(); 2]);
-        if const { PositionOf::<S, R, C>::MODES } {
-            // Joints that stick do not yield to corrections.
-            let mut rates = motion.rate.clone();
-            let_all_go(&mut now.position, &mut rates, &motion.acceleration);
-        }
+        let (mut now, mut steps) = (Self::loose(motion), [RealOf::<S>::zero(); 2]);
         for step in &mut steps {
             if self.accelerate(&mut now, loads, workspace).is_err() {
                 *step = RealOf::<S>::INFINITY;
@@ -79,16 +74,20 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             if self.led(motion).is_ok() {
                 break;
             }
-            let mut now = motion.clone();
-            if const { PositionOf::<S, R, C>::MODES } {
-                // Joints that stick do not yield to corrections.
-                let mut rates = motion.rate.clone();
-                let_all_go(&mut now.position, &mut rates, &motion.acceleration);
-            }
+            let mut now = Self::loose(motion);
             self.accelerate(&mut now, loads, workspace)?;
             self.project(&mut now, loads, workspace);
             motion.rate.set(&now.rate);
         }
         Ok(())
+    }
+
+    /// A motion with all joints let go: those that stick do not yield to corrections.
+    fn loose(motion: &MotionOf<S, R, C, P>) -> MotionOf<S, R, C, P> {
+        let mut loose = motion.clone();
+        if const { PositionOf::<S, R, C>::MODES } {
+            let_all_go(&mut loose.position, &mut loose.rate, &loose.acceleration);
+        }
+        loose
     }
 }

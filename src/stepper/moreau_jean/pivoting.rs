@@ -5,7 +5,7 @@
 //! at rest. Choices that do not go together are changed all at once as long as they become fewer, otherwise the first alone, after
 //! which K. G. Murty's pivots by least index end (J. J. Júdice, F. M. Pires 1994). Each pass is a sweep.
 
-use crate::mirror::{Mode, Position, Rate, Told, let_last_go};
+use crate::mirror::{Mode, Position, Rate, Told, let_last_go, with_joint};
 use crate::scalar::{Real, Scalar};
 use num_traits::Zero;
 
@@ -15,8 +15,6 @@ const PATIENCE: usize = 3;
 /// together.
 const LOOSE: [usize; 2] = [8, 2];
 const PASSES: [usize; 2] = [64, 8];
-/// Passes in which too many are held, before it is clear that no choices go together.
-const MOST: usize = 10_000;
 /// A force of friction beyond this share of its limit, where something is closed, is that of more joints than closures leave free, but for rounding.
 const BEYOND: f64 = 1e6;
 /// So often joints turn round, for each of them, before it is clear that not drives alone move them.
@@ -79,17 +77,14 @@ impl Pivoting {
         let Some((joint, before)) = held else {
             self.still = MISSED;
             self.turns.get_or_insert(0);
-            return let_last_halted_go(position, rate, found) || let_last_go(position, rate, found);
+            // One at its stop can yield to nothing.
+            let is_halted = |mode| mode == Mode::Halts;
+            return let_last_go(position, rate, found, is_halted)
+                || let_last_go(position, rate, found, Mode::is_locked);
         };
-        let mut count = 0;
-        position.each_mode(rate, found, &mut |mode, _, _| {
-            if count == joint {
-                *mode = before.turned_round();
-            }
-            count += 1;
-        });
+        with_joint(position, rate, found, joint, &mut |mode, _, _| *mode = before.turned_round());
         self.passes += 1;
-        self.passes < MOST
+        true
     }
 
     /// Whether what joints do goes together, by the accelerations that came of it. It is changed otherwise.
@@ -132,7 +127,7 @@ impl Pivoting {
             // More may be held than closures leave free, but for rounding: choices by least index would not end.
             if self.closed && self.turns.is_none() {
                 self.turns = Some(0);
-                if let_last_go(position, rate, found) {
+                if let_last_go(position, rate, found, Mode::is_locked) {
                     return Ok(false);
                 }
             }
@@ -212,23 +207,4 @@ pub(super) fn ended<T: Scalar>(mode: &mut Mode, rate: &mut T, told: &Told<T>, dt
         Mode::Lands | Mode::Rebounds => *mode = Mode::at(*rate, told.rubs),
         _ => (),
     }
-}
-
-/// Lets the last of the joints go that friction holds: one at its stop can yield to nothing. Gives whether there is one.
-fn let_last_halted_go<T: Scalar, P: Position<T>>(position: &mut P, rate: &mut P::Rate, found: &P::Rate) -> bool {
-    let (mut last, mut count) = (None, 0);
-    position.each_mode(rate, found, &mut |mode, _, _| {
-        if *mode == Mode::Halts {
-            last = Some(count);
-        }
-        count += 1;
-    });
-    count = 0;
-    position.each_mode(rate, found, &mut |mode, _, told| {
-        if last == Some(count) {
-            *mode = mode.moving(told.rubs);
-        }
-        count += 1;
-    });
-    last.is_some()
 }
