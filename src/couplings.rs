@@ -5,6 +5,7 @@ mod loads;
 mod placed;
 mod solve;
 
+use crate::lift::Lift;
 use crate::loading::Unloaded;
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
@@ -228,6 +229,18 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
     /// By how much numbers of followers miss r times those of their leaders.
     fn missing(&self, pairs: [[T; 2]; K]) -> [T; K] {
         core::array::from_fn(|k| self.ties[k].missed(pairs[k]))
+    }
+}
+
+impl<T: Scalar, U: Scalar<Real = T::Real>, const K: usize, L: Lift<T, U>> Lift<T, U> for Couplings<T, K, L> {
+    type Over = Couplings<U, K, L::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        let none = U::zero();
+        let ties = self.ties.map(|Tie { joints, coordinates, rates, ratio, offset, inertia }| {
+            let [ratio, offset] = [ratio, offset].map(&mut *number);
+            Tie { joints, coordinates, rates, ratio, offset, inertia }
+        });
+        Couplings { ties, forces: [none; K], given: false, counts: self.counts, others: self.others.lift(number) }
     }
 }
 

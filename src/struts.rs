@@ -293,6 +293,13 @@ where
     }
 }
 
+impl<T: Scalar, U: Scalar, const D: usize, const N: usize, L: Lift<T, U>> Lift<T, U> for Struts<T, D, N, L> {
+    type Over = Struts<U, D, N, L::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        Struts { struts: self.struts.lift(number), others: self.others.lift(number) }
+    }
+}
+
 impl<T: Scalar, U: Scalar, const D: usize> Lift<T, U> for Strut<T, D> {
     type Over = Strut<U, D>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Strut<U, D> {

@@ -46,6 +46,8 @@ pub trait BodyLaw<S: Reversed>: Copy {
     fn of_ratios(of_numbers: &mut Self::OfNumbers) -> &mut [S::Scalar];
     /// Derivatives by numbers of a law of one body's motion, and how many it has.
     fn listed(of_numbers: &Self::OfNumbers) -> &OfLaw<S::Scalar>;
+    /// Meets the derivatives by all numbers of these loads in the order in which [`Lift`](crate::Lift) meets the numbers.
+    fn each_number(of_numbers: &mut Self::OfNumbers, meet: &mut impl FnMut(&mut S::Scalar));
 }
 
 /// Loads on bodies without efforts in joints.
@@ -79,6 +81,11 @@ impl<S: Reversed, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> f
     }
     fn listed(of_numbers: &OfLaw<S::Scalar>) -> &OfLaw<S::Scalar> {
         of_numbers
+    }
+    fn each_number((list, _): &mut OfLaw<S::Scalar>, meet: &mut impl FnMut(&mut S::Scalar)) {
+        if const { <Self as BodyLaw<S>>::ON } {
+            list.iter_mut().for_each(meet);
+        }
     }
 }
 

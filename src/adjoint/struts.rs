@@ -57,6 +57,12 @@ impl<T: Scalar, const D: usize> ByStrut<T, D> {
         let (zero, none) = (T::zero(), SVector::repeat(T::zero()));
         Self { ends: [none; 2], stiffness: zero, damping: zero, length: zero }
     }
+
+    /// All of them, in the order in which a strut is lifted.
+    pub(crate) fn each_number(&mut self) -> impl Iterator<Item = &mut T> {
+        let Self { ends: [from, to], stiffness, damping, length } = self;
+        from.iter_mut().chain(to).chain([stiffness, damping, length])
+    }
 }
 
 /// Costates of the numbers of struts, and of a law beside them.
@@ -193,6 +199,10 @@ macro_rules! struts {
             }
             fn listed((_, of_law): &Self::OfNumbers) -> &OfLaw<T> {
                 of_law
+            }
+            fn each_number((of_struts, of_law): &mut Self::OfNumbers, meet: &mut impl FnMut(&mut T)) {
+                of_struts.iter_mut().flat_map(ByStrut::each_number).for_each(&mut *meet);
+                <L::Law as BodyLaw<$Space<T>>>::each_number(of_law, meet);
             }
         }
 

@@ -93,6 +93,13 @@ macro_rules! backward {
             fn listed((_, of_law): &Self::OfNumbers) -> &OfLaw<T> {
                 L::Law::listed(of_law)
             }
+            fn each_number((of_ratios, of_law): &mut Self::OfNumbers, meet: &mut impl FnMut(&mut T)) {
+                for of_ratio in of_ratios {
+                    meet(of_ratio);
+                    meet(&mut T::zero()); // by an offset, which stands in the start alone
+                }
+                L::Law::each_number(of_law, meet);
+            }
         }
 
         impl<T: Scalar, L, const K: usize> ReversibleLoads<$Space<T>> for Couplings<T, K, L>

@@ -3,6 +3,7 @@
 use super::laws::{InJoints, OnBodies, OverTime, Values};
 use super::{Load, LoadLaw, Loading, Seen};
 use crate::error::Fault;
+use crate::lift::lift;
 use crate::relation::{Absent, Additive};
 use crate::space::{RealOf, Space};
 
@@ -105,6 +106,8 @@ pub struct Loads<B = Absent, J = Absent> {
     bodies: B,
     joints: J,
 }
+
+lift!(Loads<B, J> { bodies, joints });
 
 impl Loads {
     /// No loads.

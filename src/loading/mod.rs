@@ -10,6 +10,7 @@ pub use loads::Loads;
 pub type EffortOf<S> = <<S as Space>::JointMotion as Seen>::Load;
 
 use crate::error::Fault;
+use crate::lift::lift;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Absent, Part, Wrench, WrenchOf};
 use crate::scalar::{Elementary, Real, Scalar};
@@ -187,6 +188,8 @@ impl<S: Space> Load<S> for WrenchOf<S> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Unloaded;
+
+lift!(Unloaded);
 
 impl<S: Space> Loading<S> for Unloaded {
     type OnBody = Absent;

@@ -2,7 +2,6 @@
 
 use super::Backward;
 use super::rules::Staged;
-use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
@@ -20,8 +19,8 @@ use alloc::vec::Vec;
 use core::cell::RefCell;
 use num_traits::One;
 
-/// Loads on bodies, and efforts in all joints as values.
-pub type Acting<S, L> = <L as BodyLaw<S>>::Beside<Values<Vec<EffortOf<S>>>>;
+/// Loads on bodies and couplings of joints, and efforts in all joints as values.
+pub type Acting<S, L> = <L as BodyLaw<S>>::Whole<Values<Vec<EffortOf<S>>>>;
 
 /// A run past changes of mode: its states, and how each follows from that before it. Made by [`Backward::course`].
 #[derive(Clone, Debug)]
@@ -125,10 +124,6 @@ where
     where
         System<S, R, C, P>: Runs<Acting<S, L>, S, R, C, P>,
     {
-        if const { Steps::<S, R, C, P, M, L>::TIED } {
-            let what = "the gradient of a run past changes of mode whose joints are coupled";
-            return Err(Error::new(Fault::Unsupported { what }));
-        }
         let joints = self.steps.scene.joints();
         let intervals = (torques.len() / joints.max(1)).max(1);
         self.suits(intervals, torques.len())?;
@@ -145,7 +140,7 @@ where
         course.states.push(start.clone());
         let mut left = None;
         for interval in 0..intervals {
-            let loads = self.steps.loads.law.beside(Values(course.efforts(interval).to_vec()));
+            let loads = self.steps.loads.law.whole(Values(course.efforts(interval).to_vec()));
             let simulation = self.steps.scene.simulation(Rule { method: self.method, control }).loads(&loads);
             let share = RealOf::<S>::of((interval + 1) as f64 / intervals as f64);
             let until = if interval + 1 == intervals { end } else { start.time + (end - start.time) * share };

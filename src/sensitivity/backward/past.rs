@@ -8,7 +8,7 @@ use super::at_change::AtChange;
 use super::course::{Acting, Course, CourseOf, Link};
 use super::rules::Staged;
 use super::{Backward, CostateOf, GradientOf};
-use crate::adjoint::{BodyLaw, Burdened, OfLaw, Reversed, Reversible, ReversibleTip};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, Loading, Space, Unloaded};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -54,7 +54,7 @@ where
     C: Element<S> + Lift<S::Scalar, Seeded<S>, Over: Element<Over<S>>>,
     P: ReversibleTip<S> + Lift<S::Scalar, Seeded<S>, Over: Tip<Over<S>>>,
     M: Explicit + Staged,
-    L: BodyLaw<S, OfNumbers = OfLaw<S::Scalar>> + Lift<S::Scalar, Seeded<S>, Over: BodyLaw<Over<S>>>,
+    L: BodyLaw<S> + Lift<S::Scalar, Seeded<S>, Over: BodyLaw<Over<S>>>,
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
     System<Over<S>, Part<S, R>, Part<S, C>, Part<S, P>>:
@@ -126,17 +126,24 @@ where
                     let mut before = Vec::with_capacity(count + WIDTH);
                     for first in (0..count).step_by(WIDTH) {
                         let at = scene.with_seeds(of_plain(&scene, past)?, first);
-                        let loads = still.beside(Values(seeds(efforts, first.wrapping_sub(rows))));
+                        let loads = still.whole(Values(seeds(efforts, first.wrapping_sub(rows))));
                         let found = again(k, *change, &loads, at)?;
                         before.extend(costs.contracted(&found)?);
                     }
-                    // By numbers of the law: six at most, or nobody is told of them.
-                    if const { L::ON } {
-                        let mut number = 0..;
-                        let seeded = law.lift(&mut |x| Jet::seed(x, number.next().unwrap_or(WIDTH)));
-                        let loads = seeded.beside(Values(seeds(efforts, NO_SEEDS)));
+                    // By numbers of what acts on bodies and couples joints.
+                    let mut numbers = 0;
+                    L::each_number(&mut gradient.law, &mut |_| numbers += 1);
+                    for first in (0..numbers).step_by(WIDTH) {
+                        let places = (0..).map(|number: usize| number.wrapping_sub(first));
+                        let mut seed = places.clone();
+                        let seeded = law.lift(&mut |x| Jet::seed(x, seed.next().unwrap_or(WIDTH)));
+                        let loads = seeded.whole(Values(seeds(efforts, NO_SEEDS)));
                         let found = again(k, *change, &loads, of_plain(&scene, past)?)?;
-                        gradient.law.0.iter_mut().zip(costs.contracted(&found)?).for_each(|(sum, more)| *sum += more);
+                        let (slopes, mut seed) = (costs.contracted(&found)?, places);
+                        L::each_number(&mut gradient.law, &mut |sum| {
+                            let slope = seed.next().and_then(|place| slopes.get(place));
+                            *sum += slope.copied().unwrap_or(S::Scalar::zero());
+                        });
                     }
                     let mut list = before.into_iter();
                     for costate in [&mut gradient.start.position, &mut gradient.start.rate] {
@@ -205,7 +212,7 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M: Explicit, L: BodyLaw<
             let (Link::Change(change), interval) = self.course.links[*k] else { continue };
             let at = of_plain(scene, &self.course.states[*k])?;
             let efforts = Values(seeds(self.course.efforts(interval), NO_SEEDS));
-            let loads = self.law.lift(&mut Jet::of).beside(efforts);
+            let loads = self.law.lift(&mut Jet::of).whole(efforts);
             let found = self.course.changed(*k, change, self.method, scene, &loads, at)?;
             sum.iter_mut().zip(costs.contracted(&found)?).for_each(|(sum, more)| *sum += more);
         }

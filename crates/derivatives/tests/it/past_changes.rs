@@ -80,6 +80,7 @@ macro_rules! as_forward {
     };
 }
 
+mod between;
 mod wind;
 
 /// A body that hangs from its inboard end.
