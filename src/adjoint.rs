@@ -40,9 +40,9 @@ mod ties;
 use crate::element::{Element, Level, Springs};
 use crate::ends::Tip;
 use crate::loading::EffortOf;
-use crate::relation::{Acceleration, AccelerationOf, Closures, Geometry, Looped, Wrench, WrenchOf};
+use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry, Looped, Wrench, WrenchOf};
 use crate::shape::{Closing, Ends, Takes};
-use crate::space::FrameOf;
+use crate::space::{Frame, FrameOf, RealOf};
 use crate::walks::{Factor, Meet, PullBack, Reach, Stir, Strain};
 pub use body_law::{ActsOnBodies, BodyLaw, Burdened, OfLaw, ReversibleLoads, Surveyed};
 pub use outboard::{Kind, Outboard};
@@ -150,23 +150,29 @@ pub fn total<S: Reversed, C: Closures>(columns: &C::Each<WrenchOf<S>>, numbers: 
 /// One number for each force that holds a tip.
 pub type EachOf<S, P> = <<P as Tip<S>>::Closures as Closures>::Each<<S as Geometry>::Scalar>;
 
-/// A tip that nothing holds, or a ground that does not move: what is said here of a free one is nothing.
+/// A tip that nothing holds, or the ground: what is said here of a free one is nothing.
 ///
 /// Each of the forces λ that hold it acts on the last body by a wrench c; the tip accelerates so that c · A is that of the ground.
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through the tip `{Self}`",
     label = "not a tip that the costate sweep knows",
-    note = "it knows `Free`, and `Pinned` and `Clamped`, in the plane `Guided`, in space `Hinged`, at a place that does not move",
+    note = "it knows `Free`, and `Pinned` and `Clamped`, of space at an attitude that does not move; in the plane `Guided`, in space `Hinged`, at a place that does not move",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait ReversibleTip<S: Reversed>: Tip<S> {
     /// What there is of its relation.
     const KIND: Kind;
+    /// Whether nothing holds it, or ground that is known to rest.
+    const RESTS: bool = true;
 
+    /// The motion of the ground that holds it.
+    fn ground(&self, _: RealOf<S>) -> FrameOf<S> {
+        Frame::resting(S::Vector::null())
+    }
     /// The wrench c of each unit force.
     fn columns(&self) -> <Self::Closures as Closures>::Each<WrenchOf<S>>;
-    /// The numbers it is made of.
-    fn numbers(&self) -> S::OfTip {
+    /// The numbers it is made of, at a time.
+    fn numbers(&self, _: RealOf<S>) -> S::OfTip {
         S::no_tip()
     }
     /// Costates of these numbers, of what they change of the wrenches c in Σ ν c · A − λ c · W.

@@ -132,6 +132,12 @@ pub(super) fn offset_alone<T: Scalar, const K: usize, const N: usize, const M: u
     Ok(())
 }
 
+/// Place and angle of the ground, and what has it move.
+fn offset_and_motion<T: Scalar>(ground: Frame<T>) -> ([T; 3], [T; 6]) {
+    let Frame { place, velocity, acceleration: Acceleration { linear, angular }, turn } = ground;
+    ([place.x, place.y, turn.angle], [velocity.x, velocity.y, linear.x, linear.y, angular, turn.rate])
+}
+
 impl<T: Scalar, const K: usize> Walk<Planar<Jet<T, K>>> for Along<T, K> {
     type Carried = ();
     type Stores = (Ref<PerBody<Base<T>>>, Ref<PerBody<[T; BODY]>>, Ref<PerJoint<[T; NUMBERS_OF_JOINT]>>);
@@ -292,18 +298,18 @@ impl<T: Scalar, E: Element<Planar<T>>, L: BodyLaw<Planar<T>>> Gradient<Planar<T>
         let elements = scene.elements();
         elements.take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        let ground = scene.ground(self.asked.map_or(Zero::zero(), |asked| asked.last));
+        let last = self.asked.map_or(Zero::zero(), |asked| asked.last);
+        let ground = scene.ground(last);
         if const { !R::RESTS } {
-            offset_alone(self.asked, |time| {
-                let Frame { place, velocity, acceleration: Acceleration { linear, angular }, turn } =
-                    scene.ground(time);
-                ([place.x, place.y, turn.angle], [velocity.x, velocity.y, linear.x, linear.y, angular, turn.rate])
-            })?;
+            offset_alone(self.asked, |time| offset_and_motion(scene.ground(time)))?;
+        }
+        if const { !P::RESTS } {
+            offset_alone(self.asked, |time| offset_and_motion(scene.tip().ground(time)))?;
         }
         walk.add(self.ground, ground.turn.angle);
         walk.add(self.place.x, ground.place.x);
         walk.add(self.place.y, ground.place.y);
-        walk.add_tip(&self.tip, &scene.tip().numbers());
+        walk.add_tip(&self.tip, &scene.tip().numbers(last));
         walk.add(self.gravity.x, scene.gravity().x);
         walk.add(self.gravity.y, scene.gravity().y);
         Ok(walk.sum)

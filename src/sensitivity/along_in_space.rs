@@ -36,6 +36,14 @@ pub(super) fn turn<T: Scalar, const K: usize>(attitude: &Columns<Jet<T, K>>) -> 
     Vector3::new(dot(still(z), y), dot(still(x), z), dot(still(y), x))
 }
 
+/// Place and turn of the ground, and what has it move.
+fn offset_and_motion<T: Scalar, const K: usize>(ground: Frame<Jet<T, K>>) -> ([Jet<T, K>; 6], [Jet<T, K>; 12]) {
+    let Frame { place, velocity: v, acceleration: Acceleration { linear: a, angular: b }, turn: at } = ground;
+    let (turned, w) = (turn(&at.attitude), at.spin);
+    let offset = [place.x, place.y, place.z, turned.x, turned.y, turned.z];
+    (offset, [v.x, v.y, v.z, a.x, a.y, a.z, b.x, b.y, b.z, w.x, w.y, w.z])
+}
+
 impl<T: Scalar, const K: usize> Along<T, K> {
     /// Adds what an axis does, whose costates are by turns along the column beside it, and across that.
     fn add_axis(&mut self, axis: Vector3<Jet<T, K>>, [by_aside, by_across]: [T; 2]) {
@@ -313,19 +321,17 @@ impl<T: Scalar, E: Element<Spatial<T>>, L: BodyLaw<Spatial<T>>> Gradient<Spatial
         let mut walk = Along { sum: [T::zero(); K], met: 0, beyond: None };
         scene.elements().take(&mut walk, (), (&self.bodies, &self.numbers, &self.joints));
         walk.complete(self.entries, scene.bodies() + scene.joints())?;
-        let ground = scene.ground(self.asked.map_or(Zero::zero(), |asked| asked.last));
+        let last = self.asked.map_or(Zero::zero(), |asked| asked.last);
+        let ground = scene.ground(last);
         if const { !R::RESTS } {
-            offset_alone(self.asked, |time| {
-                let Frame { place, velocity: v, acceleration: Acceleration { linear: a, angular: b }, turn: at } =
-                    scene.ground(time);
-                let (turned, w) = (turn(&at.attitude), at.spin);
-                let offset = [place.x, place.y, place.z, turned.x, turned.y, turned.z];
-                (offset, [v.x, v.y, v.z, a.x, a.y, a.z, b.x, b.y, b.z, w.x, w.y, w.z])
-            })?;
+            offset_alone(self.asked, |time| offset_and_motion(scene.ground(time)))?;
+        }
+        if const { !P::RESTS } {
+            offset_alone(self.asked, |time| offset_and_motion(scene.tip().ground(time)))?;
         }
         walk.add_vector(self.ground, turn(&ground.turn.attitude));
         walk.add_vector(self.place, ground.place);
-        walk.add_tip(&self.tip, &scene.tip().numbers());
+        walk.add_tip(&self.tip, &scene.tip().numbers(last));
         walk.add_vector(self.gravity, scene.gravity());
         Ok(walk.sum)
     }

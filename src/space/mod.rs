@@ -86,6 +86,8 @@ pub struct Frame<V, A, O> {
 pub trait Orientation<A>: Copy + Debug + 'static {
     /// Not turned, at rest.
     fn unturned() -> Self;
+    /// Turned like this, at rest.
+    fn at_rest(&self) -> Self;
     /// Angular velocity ω (rad/s), inertial axes.
     fn spin(&self) -> A;
     /// Whether each number is finite.
@@ -97,6 +99,11 @@ impl<V: Additive, A: Additive, O: Orientation<A>> Frame<V, A, O> {
     #[inline(always)]
     pub fn resting(place: V) -> Self {
         Self { place, velocity: V::null(), turn: O::unturned(), acceleration: Acceleration::zero() }
+    }
+
+    /// The same place and axes at rest.
+    pub(crate) fn at_rest(&self) -> Self {
+        Self { turn: self.turn.at_rest(), ..Self::resting(self.place) }
     }
 
     /// This motion with the accelerations left out.

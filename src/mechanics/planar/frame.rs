@@ -25,6 +25,9 @@ impl<T: Scalar> Orientation<T> for Turn<T> {
     fn unturned() -> Self {
         Self { angle: T::zero(), rate: T::zero() }
     }
+    fn at_rest(&self) -> Self {
+        Self { rate: T::zero(), ..*self }
+    }
     #[inline(always)]
     fn spin(&self) -> T {
         self.rate

@@ -25,6 +25,9 @@ impl<T: Scalar> Orientation<Vector3<T>> for Turn<T> {
     fn unturned() -> Self {
         Self { attitude: Columns::identity(), spin: zero() }
     }
+    fn at_rest(&self) -> Self {
+        Self { spin: zero(), ..*self }
+    }
     #[inline(always)]
     fn spin(&self) -> Vector3<T> {
         self.spin

@@ -258,7 +258,7 @@ where
         gradient: &mut GradientOf<S, R, C, L>,
     ) {
         let frame = self.scene.ground(time);
-        if const { !R::RESTS } {
+        if const { !(R::RESTS && P::RESTS) } {
             gradient.asked = Some(Asked::and(gradient.asked, time));
         }
         let minus_weights = if const { Self::TIED } { self.untie(start, &frame, (stage, slope)) } else { None };
@@ -273,8 +273,7 @@ where
         }
         let mut pulled = S::Pulled::null();
         if const { Self::HELD } {
-            let falling = frame.falling(self.scene.gravity());
-            let accelerations = (stage.reached, falling);
+            let accelerations = (stage.reached, self.scene.tip().ground(time).falling(self.scene.gravity()));
             pulled = weigh(self.scene, (&weight, &stage.force), accelerations, &S::stirred(&stirred), gradient);
         }
         let Gradient { bodies, joints, .. } = gradient;

@@ -178,7 +178,7 @@ where
 
     /// Whether what acts in the last step, from a motion to one, depends on time, on ground that moves or drives.
     fn last_depends_on_time(&self, past: &MotionOf<S, R, C, P>, last: &MotionOf<S, R, C, P>, size: RealOf<S>) -> bool {
-        if const { PositionOf::<S, R, C>::CLOCKED || !R::RESTS } {
+        if const { PositionOf::<S, R, C>::CLOCKED || !(R::RESTS && P::RESTS) } {
             return true;
         }
         if const { !L::ON } {

@@ -133,10 +133,10 @@ pub use tape::Tape;
 ///
 /// Joints with modes, [`Coulomb`](crate::planar::Coulomb) and [`HardStops`](crate::planar::HardStops), change these at times that hang on everything:
 /// such runs are made by [`course`](Self::course), by explicit rules, and their gradients by [`gradient_past`](Self::gradient_past); torques are held
-/// over the run or over intervals of it, and a law may act on bodies ([`under`](Self::under)). All else here refuses such scenes.
+/// over the run or over intervals of it, and laws, struts and couplings may act ([`under`](Self::under)). All else here refuses such scenes.
 ///
-/// The ground of a root may [move](crate::planar::Moving), as long as nothing is held and no loop closes: parameters of its motion are not among the
-/// derivatives, and are refused where the gradient is asked for along them.
+/// The ground of a root may [move](crate::planar::Moving), and that which a `Pinned` or `Clamped` tip stands on (in space its place alone): parameters of
+/// such motions are not among the derivatives, and are refused where the gradient is asked for along them, but for an offset.
 ///
 /// All else is an error of the compiler that names it.
 ///
@@ -202,8 +202,8 @@ where
     /// # Errors
     /// [`Fault::NotPositive`] for the step; [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of
     /// another scene; [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
-    /// or closes a loop, twice in the same way; [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::Unsupported`] where the
-    /// ground moves, or joints are coupled, and something is held or closed; what is wrong with the parameters of the rule; what
+    /// or closes a loop, twice in the same way; [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::Unsupported`] where
+    /// joints are coupled and something is held or closed; what is wrong with the parameters of the rule; what
     /// [`LoadLaw::check`](crate::loading::LoadLaw::check) of the loads on bodies refuses.
     pub fn run(
         &mut self,

@@ -66,8 +66,8 @@ where
     /// [states](Course::states), the last first, and adds the derivatives of the cost by its position and rate: of the states on both sides of a
     /// change also by its [time](crate::sensitivity::Costate::time), for these are the states where a mode changes, whenever that is; all others are states at
     /// fixed times. `by_torques` becomes the gradient by the
-    /// torques of each interval, or of all summed up; it may be empty. Of a law of loads on bodies ([`under`](Self::under)) the gradient has
-    /// [`by_loads`](PastGradient::by_loads).
+    /// torques of each interval, or of all summed up; it may be empty. Of what acts on bodies and couples joints ([`under`](Self::under)) the gradient has
+    /// [`by_loads`](PastGradient::by_loads), [`by_struts`](PastGradient::by_struts) and [`by_ratios`](PastGradient::by_ratios).
     ///
     /// The steps are those that were accepted, their sizes held, but those that end where a mode changes: when that is hangs on everything. So a
     /// gradient is that of the motion, shocks included, but for what steps err. A step that begins in a mode keeps it: derivatives of the rate of a joint

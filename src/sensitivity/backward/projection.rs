@@ -166,7 +166,8 @@ where
         let Room { sizes, rest: Posed { x, y, p, q }, still, .. } = &mut *room;
         still.clone_from(stage.1);
         still.stop_clocks();
-        S::pose(self.scene.elements(), still, &self.zero, self.scene.ground(clock.0).turn, sizes, x, y, p, q);
+        let ground = self.scene.ground(clock.0).at_rest();
+        S::pose(self.scene.elements(), still, &self.zero, ground.turn, sizes, x, y, p, q);
         room.of_stage.set(&self.zero);
         room.of_speed.set(&self.zero);
         if Self::STAYS {
@@ -221,7 +222,7 @@ where
         room.weights.clone_from(&room.nothing);
         let none: EachOf<S, P> = P::Closures::each(|_| S::Scalar::zero());
         let mut weights = none;
-        let (columns, of) = (tip.columns(), total::<S, P::Closures>);
+        let (columns, of, resting) = (tip.columns(), total::<S, P::Closures>, ground.at_rest());
         // The tip, and loop by loop.
         for closure in usize::from(!Self::HELD)..=room.loops {
             let number = closure.checked_sub(1);
@@ -235,7 +236,7 @@ where
                 force = P::Closures::solve(&stage.compliance, &residual);
             }
             // The correction x, and how it moves all stations.
-            let moved = room.stir::<P, _>(elements, &ground, stage, force, false);
+            let moved = room.stir::<P, _>(elements, &resting, stage, force, false);
             room.correction.set(&room.solved);
             let kept = (&room.on_bodies, &room.in_joints);
             swept::<S, _>(elements, kept, &mut room.at_bodies, &mut room.at_joints);
@@ -249,7 +250,7 @@ where
                 minus_weight = held;
                 weights = opposite::<S, P::Closures>(&held);
             }
-            let stirred = room.stir::<P, _>(elements, &ground, stage, minus_weight, true);
+            let stirred = room.stir::<P, _>(elements, &resting, stage, minus_weight, true);
             // What the stage's M and Γ change of x.
             let Room { rest, still, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
             let Posed { x, y, p, q } = &*rest;
@@ -280,7 +281,7 @@ where
                     *sum += by_size;
                 }
             }
-            gradient.ground = gradient.ground + S::of_ground(&left, &ground).1;
+            gradient.ground = gradient.ground + S::of_ground(&left, &resting).1;
             if let Some(number) = number {
                 single::<S, _>(elements, number, Left::Own, &mut room.solved, &mut room.of_forces);
                 singled::add::<S, _>(elements, &room.of_forces, &mut room.weights);

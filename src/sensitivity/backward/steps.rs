@@ -298,7 +298,8 @@ where
         }
         let torques = self.tying.as_ref().filter(|_| tied).map_or(&self.torques, |(efforts, _)| efforts);
         let falling = ground.falling(self.scene.gravity());
-        let beyond = Outboard::held(P::KIND, self.scene.tip().columns(), &falling);
+        let still = self.scene.tip().ground(time).falling(self.scene.gravity());
+        let beyond = Outboard::held(P::KIND, self.scene.tip().columns(), &still);
         let motion = match free {
             Some(((place, speed), led, true)) => (place, speed, (place, speed, led)),
             Some(((place, speed), led, false)) => (place, speed, (position, rate, led)),

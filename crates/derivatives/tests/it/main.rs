@@ -21,6 +21,7 @@ mod recognised;
 #[macro_use]
 mod robots;
 mod driven_robots;
+mod moving;
 mod rows;
 mod second;
 mod stiffening;

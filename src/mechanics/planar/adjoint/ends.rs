@@ -3,7 +3,8 @@
 use super::Kind;
 use crate::adjoint::ReversibleTip;
 use crate::element::Level;
-use crate::mechanics::planar::{Acceleration, Clamped, Frame, Free, Guided, Pinned, Planar, Wrench};
+use crate::ends::Ground;
+use crate::mechanics::planar::{Acceleration, Clamped, Frame, Free, GroundMotion, Guided, Pinned, Planar, Wrench};
 use crate::relation::Additive;
 use crate::relation::planar::algebra::{dot, normal};
 use crate::scalar::Scalar;
@@ -12,6 +13,12 @@ use nalgebra::Vector2;
 /// A force without a torque.
 fn force<T: Scalar>(force: Vector2<T>) -> Wrench<T> {
     Wrench { force, torque: T::zero() }
+}
+
+/// The wrenches of forces along x and y.
+fn pulls<T: Scalar>() -> [Wrench<T>; 2] {
+    let (zero, one) = (T::zero(), T::one());
+    [force(Vector2::new(one, zero)), force(Vector2::new(zero, one))]
 }
 
 /// Most numbers that a tip is made of.
@@ -23,15 +30,19 @@ impl<T: Scalar> ReversibleTip<Planar<T>> for Free {
     fn columns(&self) {}
 }
 
-impl<T: Scalar> ReversibleTip<Planar<T>> for Pinned<[T; 2]> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>> ReversibleTip<Planar<T>> for Pinned<G> {
     const KIND: Kind = Kind::Point;
+    const RESTS: bool = G::RESTS;
+
+    fn ground(&self, time: T::Real) -> Frame<T> {
+        self.place.at(time).frame::<Planar<T>>()
+    }
 
     fn columns(&self) -> [Wrench<T>; 2] {
-        let (zero, one) = (T::zero(), T::one());
-        [force(Vector2::new(one, zero)), force(Vector2::new(zero, one))]
+        pulls()
     }
-    fn numbers(&self) -> [T; TIP] {
-        let [x, y] = self.place;
+    fn numbers(&self, time: T::Real) -> [T; TIP] {
+        let [x, y] = self.place.at(time).place;
         [x, y, T::zero(), T::zero()]
     }
     fn of_residual(&self, weight: &[T; 2], _: &Frame<T>, level: Level) -> [T; TIP] {
@@ -43,16 +54,26 @@ impl<T: Scalar> ReversibleTip<Planar<T>> for Pinned<[T; 2]> {
     }
 }
 
-impl<T: Scalar> ReversibleTip<Planar<T>> for Clamped<[T; 2], T> {
+impl<T, G, A> ReversibleTip<Planar<T>> for Clamped<G, A>
+where
+    T: Scalar,
+    G: Ground<T, GroundMotion<T>>,
+    A: Ground<T, [T; 3]>,
+{
     const KIND: Kind = Kind::Rigid;
+    const RESTS: bool = G::RESTS && A::RESTS;
+
+    fn ground(&self, time: T::Real) -> Frame<T> {
+        self.frame(time)
+    }
 
     fn columns(&self) -> [Wrench<T>; 3] {
-        let [x, y] = Pinned::on(self.place).columns();
+        let [x, y] = pulls();
         [x, y, Wrench { force: Vector2::null(), torque: T::one() }]
     }
-    fn numbers(&self) -> [T; TIP] {
-        let [x, y] = self.place;
-        [x, y, self.attitude, T::zero()]
+    fn numbers(&self, time: T::Real) -> [T; TIP] {
+        let Frame { place, turn, .. } = self.frame(time);
+        [place.x, place.y, turn.angle, T::zero()]
     }
     fn of_residual(&self, weight: &[T; 3], _: &Frame<T>, level: Level) -> [T; TIP] {
         match level {
@@ -69,7 +90,7 @@ impl<T: Scalar> ReversibleTip<Planar<T>> for Guided<[T; 2], T, T> {
     fn columns(&self) -> [Wrench<T>; 2] {
         [force(self.across()), Wrench { force: Vector2::null(), torque: T::one() }]
     }
-    fn numbers(&self) -> [T; TIP] {
+    fn numbers(&self, _: T::Real) -> [T; TIP] {
         let (Clamped { place: [x, y], attitude }, line) = self.parts();
         [x, y, attitude, line]
     }

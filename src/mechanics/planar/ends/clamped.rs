@@ -55,7 +55,7 @@ impl<G, A> Clamped<G, A> {
     }
 
     /// The motion of the ground where it holds the end.
-    pub(super) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
+    pub(in crate::mechanics::planar) fn frame<T: Scalar>(&self, time: T::Real) -> Frame<T>
     where
         G: Ground<T, GroundMotion<T>>,
         A: Ground<T, [T; 3]>,

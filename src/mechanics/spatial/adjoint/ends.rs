@@ -5,7 +5,10 @@
 use super::Kind;
 use crate::adjoint::{LoadCostates, ReversibleTip};
 use crate::element::Level;
-use crate::mechanics::spatial::{Acceleration, Clamped, Frame, Free, Hinged, Pinned, Rotation, Spatial, Wrench};
+use crate::ends::Ground;
+use crate::mechanics::spatial::{
+    Acceleration, Clamped, Frame, Free, GroundMotion, Hinged, Pinned, Rotation, Spatial, Wrench,
+};
 use crate::relation::spatial::algebra::{Columns, add_scaled, cross, cross_onto, zero};
 use crate::scalar::Scalar;
 use nalgebra::Vector3;
@@ -44,14 +47,19 @@ impl<T: Scalar> ReversibleTip<Spatial<T>> for Free {
     fn columns(&self) {}
 }
 
-impl<T: Scalar> ReversibleTip<Spatial<T>> for Pinned<[T; 3]> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>> ReversibleTip<Spatial<T>> for Pinned<G> {
     const KIND: Kind = Kind::Point;
+    const RESTS: bool = G::RESTS;
+
+    fn ground(&self, time: T::Real) -> Frame<T> {
+        self.place.at(time).frame::<Spatial<T>>()
+    }
 
     fn columns(&self) -> [Wrench<T>; 3] {
         pulls()
     }
-    fn numbers(&self) -> [T; TIP] {
-        list(self.place, &[])
+    fn numbers(&self, time: T::Real) -> [T; TIP] {
+        list(self.place.at(time).place, &[])
     }
     fn of_residual(&self, weight: &[T; 3], _: &Frame<T>, level: Level) -> [T; TIP] {
         match level {
@@ -61,16 +69,21 @@ impl<T: Scalar> ReversibleTip<Spatial<T>> for Pinned<[T; 3]> {
     }
 }
 
-impl<T: Scalar> ReversibleTip<Spatial<T>> for Clamped<[T; 3], Rotation<T>> {
+impl<T: Scalar, G: Ground<T, GroundMotion<T>>> ReversibleTip<Spatial<T>> for Clamped<G, Rotation<T>> {
     const KIND: Kind = Kind::Rigid;
+    const RESTS: bool = G::RESTS;
+
+    fn ground(&self, time: T::Real) -> Frame<T> {
+        self.place.at(time).frame::<Spatial<T>>()
+    }
 
     fn columns(&self) -> [Wrench<T>; 6] {
         let ([a, b, c], Columns { x, y, z }) = (pulls(), Columns::identity());
         [a, b, c, twist(x), twist(y), twist(z)]
     }
-    fn numbers(&self) -> [T; TIP] {
+    fn numbers(&self, time: T::Real) -> [T; TIP] {
         let Columns { x, y, z } = self.attitude.matrix();
-        list(self.place, &[x, y, z])
+        list(self.place.at(time).place, &[x, y, z])
     }
     fn of_residual(&self, &[a, b, c, d, e, f]: &[T; 6], frame: &Frame<T>, level: Level) -> [T; TIP] {
         let (Columns { x, y, z }, half) = (frame.turn.attitude, Vector3::new(d, e, f) * T::literal(0.5));
@@ -102,7 +115,7 @@ impl<T: Scalar> ReversibleTip<Spatial<T>> for Hinged<[T; 3], Rotation<T>, T> {
         let ([a, b, c], [first, second, _]) = (pulls(), self.directions());
         [a, b, c, twist(first), twist(second)]
     }
-    fn numbers(&self) -> [T; TIP] {
+    fn numbers(&self, _: T::Real) -> [T; TIP] {
         let (place, [first, second, axis]) = (self.place(), self.directions());
         list(place, &[first, second, axis, self.axis()])
     }
