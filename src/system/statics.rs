@@ -17,8 +17,14 @@ const STEPS: usize = 500;
 const LONGEST: f64 = 0.5;
 /// Steps longer than this many of those are no good even for their direction.
 const FAR: f64 = 40.0;
-/// A guess so near to an equilibrium (rad, m) is meant, whether that is stable or not.
+/// A guess so near to an equilibrium (rad, m, of all coordinates together) is meant, whether that is stable or not.
 const NEAR: f64 = 0.01;
+/// How far a coordinate (rad, m) is led off a saddle.
+const OFF: f64 = 0.05;
+/// Share of stiffness without a potential that may be the rounding of one which has it.
+const ASYMMETRY: f64 = 1e-6;
+/// Rounds in which a direction turns to that which stiffness drives most.
+const ROUNDS: usize = 30;
 /// Share of the work expected of a step that it must do.
 const GAIN: f64 = 0.2;
 /// Steps once real parts have come to rest, each of which settles another order of derivatives.
@@ -35,7 +41,9 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// position, which near rest is that of [`modes`](Self::modes). Far from equilibrium, the inertia D of each coordinate by itself
     /// (about all axes of a ball alike) times a μ that is large enough leads downhill, as the work done on the way proves; near a
     /// stable equilibrium μ vanishes, and digits double. A heavy load on a rope of 50 segments in space falls from the
-    /// horizontal to rest in 14 steps. An unstable equilibrium is found from a guess within 0.01 rad of it. A
+    /// horizontal to rest in 14 steps. An unstable equilibrium is found from a guess within 0.01 rad of it, in all coordinates together; one that
+    /// steps downhill lead to, as a straight guess to that of a beam which should buckle, is left on one of its sides. What is stiff along itself and
+    /// hardly so across, as a cable that stretches, may take many steps: begin at the rest of a chain of rods. A
     /// tip that the guess does not put where it is held is put there first, as by [`assembled`](Self::assembled), and so are joints that follow
     /// others ([`Couplings`](crate::planar::Couplings)). Loads are arbitrary functions of the motion, with a potential or without.
     ///
@@ -84,7 +92,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 return Ok(now); // nothing pulls, wherever it is
             }
             if step == 0 {
-                near = fall.step(RealOf::<S>::zero(), false).is_some_and(|step| step.size <= real(NEAR));
+                near = fall.step(RealOf::<S>::zero(), false).is_some_and(|step| step.way <= real(NEAR));
             }
             // Any larger damping will do where a smaller one fails: steps become short and point downhill.
             let mut ladder = RealOf::<S>::zero();
@@ -107,9 +115,17 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             };
             damping = ladder;
             let settled = residual(&now.acceleration) <= real(64.0) * RealOf::<S>::EPSILON * fall.scale;
-            now = next;
             let free = ladder <= real(1e6) * RealOf::<S>::EPSILON * fall.scale;
             let stalled = found.size + found.size >= last && (found.size <= small || settled);
+            (now, last) = (next, found.size);
+            if settled && !(free || near) {
+                // Nothing pulls at a saddle. Without a potential stiffness does not say what one is: it is the equilibrium that was asked for.
+                near = !fall.has_potential();
+                last = RealOf::<S>::INFINITY;
+                if !near && let Some(next) = self.off_saddle(&now, &fall, ladder, loads, &mut workspace) {
+                    now = next;
+                }
+            }
             // Not the first step, even if it is short: the derivatives of dual numbers follow real parts.
             let rests = step > 0 && free && (found.size <= tiny || stalled);
             orders = match orders {
@@ -118,7 +134,6 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 None if rests && is_plain(&now.position) => return Ok(now),
                 None => rests.then_some(ORDERS),
             };
-            last = found.size;
         }
         Err(self.unsettled(&now))
     }
@@ -186,6 +201,27 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         (start + end > start.abs() * RealOf::<S>::of(GAIN)).then_some(next)
     }
 
+    /// The motion a little way off a saddle, on one of its sides, to where its stiffness drives further.
+    fn off_saddle<L: Loading<S>>(
+        &self,
+        saddle: &MotionOf<S, R, C, P>,
+        fall: &Fall<S::Scalar>,
+        damping: RealOf<S>,
+        loads: &L,
+        workspace: &mut <Self as Dynamics<L>>::Workspace,
+    ) -> Option<MotionOf<S, R, C, P>>
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let aside = fall.driven(damping)?;
+        [OFF, -OFF].into_iter().find_map(|by| {
+            let (mut next, mut displacement) = (saddle.clone(), saddle.rate.clone());
+            set(&mut displacement, aside.iter().map(|x| x.scale(RealOf::<S>::of(by))));
+            next.position.displace(&displacement);
+            self.settle(&mut next, loads, workspace).ok().map(|()| next)
+        })
+    }
+
     fn unsettled(&self, motion: &MotionOf<S, R, C, P>) -> Error {
         Error::new(Fault::NoEquilibrium { residual: residual(&motion.acceleration).as_f64() })
             .at_time(motion.time.as_f64())
@@ -226,6 +262,8 @@ struct Step<T: Scalar> {
     displacement: Vec<T>,
     /// The largest displacement (rad, m).
     size: T::Real,
+    /// All displacements together (rad, m): no body turns further, however many joints turn it.
+    way: T::Real,
     /// Work that the forces at the step's start do on it (J).
     work: T::Real,
 }
@@ -240,6 +278,7 @@ impl<T: Scalar> Step<T> {
             }
             self.displacement.iter_mut().for_each(|x| *x = x.scale(share));
             self.size = longest;
+            self.way *= share;
             self.work *= share;
         }
         Some(self)
@@ -269,13 +308,43 @@ impl<T: Scalar> Fall<T> {
         let along = Factors::of(stiffness.plus(damping, &self.metric))?.solve(&self.force);
         let work = along.iter().zip(&self.force).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real());
         let displacement = self.linear.tangent.vector(&along);
-        let mut size = T::Real::zero();
+        let (mut size, mut way) = (T::Real::zero(), T::Real::zero());
         for x in &displacement {
             if !x.is_finite() {
                 return None;
             }
-            size = size.max(x.real().abs());
+            (size, way) = (size.max(x.real().abs()), way + x.real().abs());
         }
-        Some(Step { displacement, size, work })
+        Some(Step { displacement, size, way, work })
+    }
+
+    /// Whether forces have a potential, as far as their stiffness says.
+    fn has_potential(&self) -> bool {
+        let asymmetry = self.stiffness.plus(-T::Real::one(), &self.symmetric).norm();
+        asymmetry <= T::Real::of(ASYMMETRY) * self.stiffness.norm()
+    }
+
+    /// A displacement of size one that stiffness drives further rather than back, if there is one: by inverse iteration with a damping that makes
+    /// stiffness definite.
+    fn driven(&self, damping: T::Real) -> Option<Vec<T>> {
+        let real = T::Real::of;
+        let factors = Factors::of(self.symmetric.plus(damping, &self.metric))?;
+        let size = |x: &[T]| x.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
+        // Begins in no direction of symmetry.
+        let mut aside: Vec<T> =
+            (1..=self.force.len()).map(|k| T::constant(real((k as f64).sqrt().fract() + 0.1))).collect();
+        for _ in 0..ROUNDS {
+            aside = factors.solve(&self.metric.apply(&aside));
+            let inverse = size(&aside).recip();
+            aside.iter_mut().for_each(|x| *x = x.scale(inverse));
+        }
+        let product = |matrix: &Matrix<T::Real>| {
+            matrix.apply(&aside).iter().zip(&aside).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real())
+        };
+        let rounding = real(1e6) * T::Real::EPSILON * self.scale;
+        let drives = product(&self.symmetric) < -rounding * product(&self.metric);
+        let displacement = self.linear.tangent.vector(&aside);
+        let inverse = size(&displacement).recip();
+        (drives && inverse.is_finite()).then(|| displacement.iter().map(|x| x.scale(inverse)).collect())
     }
 }

@@ -1,5 +1,6 @@
 //! Equilibrium, frequencies and modes.
 
+mod buckling;
 mod modes;
 mod redundant_loops;
 mod spatial_rest;
