@@ -56,6 +56,10 @@ macro_rules! fieldwise_rate {
             $(Rate::replace(&mut self.$number, _make);)*
         }
         #[inline(always)]
+        fn join(&mut self, _other: &Self, _make: &mut impl FnMut(T, T) -> T) {
+            $(Rate::join(&mut self.$number, &_other.$number, _make);)*
+        }
+        #[inline(always)]
         fn all(&self, _other: &Self, _test: &mut impl FnMut(T, T) -> bool) -> bool {
             true $(&& Rate::all(&self.$number, &_other.$number, _test))*
         }

@@ -72,6 +72,10 @@ macro_rules! mirror_items {
                 self.iter_mut().for_each(|item| item.replace(make));
             }
             #[inline]
+            fn join(&mut self, other: &Self, make: &mut impl FnMut(T, T) -> T) {
+                self.iter_mut().zip(other).for_each(|(item, other)| item.join(other, make));
+            }
+            #[inline]
             fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool {
                 self.len() == other.len() && self.iter().zip(other).all(|(item, other)| item.all(other, test))
             }

@@ -67,6 +67,9 @@ pub trait Rate<T: Scalar>: Clone {
     /// Replaces each coordinate, root to tip.
     fn replace(&mut self, make: &mut impl FnMut(T) -> T);
 
+    /// Replaces each coordinate by what comes of it and of that of another at the same place.
+    fn join(&mut self, other: &Self, make: &mut impl FnMut(T, T) -> T);
+
     /// Whether `test` holds for each pair of numbers at the same place, and there are as many (only a `Vec` can differ).
     fn all(&self, other: &Self, test: &mut impl FnMut(T, T) -> bool) -> bool;
 }

@@ -67,6 +67,10 @@ impl<T: Scalar> Rate<T> for T {
         *self = make(*self);
     }
     #[inline(always)]
+    fn join(&mut self, other: &T, make: &mut impl FnMut(T, T) -> T) {
+        *self = make(*self, *other);
+    }
+    #[inline(always)]
     fn all(&self, other: &T, test: &mut impl FnMut(T, T) -> bool) -> bool {
         test(*self, *other)
     }

@@ -62,7 +62,13 @@ where
             let remaining = self.end - self.past.time;
             let rounding = (RealOf::<S>::EPSILON * RealOf::<S>::of(1e6)).min(RealOf::<S>::of(1e-3));
             let last = remaining <= planned * (one + rounding);
-            let size = if last { remaining } else { planned };
+            // Under error control a step takes the motion as far as its clock, which rounds.
+            let clocked = |size: RealOf<S>| (self.past.time + size) - self.past.time;
+            let size = match self.plan.rule.control {
+                _ if last => remaining,
+                Control::Fixed(_) => planned,
+                Control::Tolerance(_) => clocked(planned),
+            };
             if let Control::Tolerance(tolerance) = self.plan.rule.control
                 && let Err(error) = self.progress.trials.count(self.past.time, size)
             {

@@ -101,7 +101,7 @@ impl<V: Additive, A: Additive, O: Orientation<A>> Frame<V, A, O> {
         Self { place, velocity: V::null(), turn: O::unturned(), acceleration: Acceleration::zero() }
     }
 
-    /// The same place and axes at rest.
+    /// A frame at rest with this place and these axes.
     pub(crate) fn at_rest(&self) -> Self {
         Self { turn: self.turn.at_rest(), ..Self::resting(self.place) }
     }

@@ -12,6 +12,9 @@ use crate::system::StiffDynamics;
 use crate::time::GeneralizedAlpha;
 use num_traits::{One, Zero};
 
+/// Steps longer than the one before by this factor are no rounding.
+const GROWTH: f64 = 1.01;
+
 /// Steps by a rule of the generalised-α family.
 pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
     rule: GeneralizedAlpha,
@@ -35,6 +38,8 @@ pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
     change: D::Rate,
     /// Room for estimates of errors.
     estimate: (D::Rate, D::Rate),
+    /// Whether the step is longer than the one before.
+    grows: bool,
     still: MotionIn<D, L>,
     zero: D::Rate,
     sweeps: usize,
@@ -58,6 +63,8 @@ pub struct Trace<R, P, V> {
     /// A − a, and the size (s) of the step that left it: it grows with the size.
     offset: V,
     size: R,
+    /// By how much a changed over that step.
+    change: V,
 }
 
 impl<R: Real, P, V> Trace<R, P, V> {
@@ -87,6 +94,7 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for GeneralizedAlpha {
             rate: zero.clone(),
             offset: zero.clone(),
             size: TimeIn::<D, L>::one(),
+            change: zero.clone(),
         };
         let stiff = scene.stiff_workspace();
         ImplicitStepper {
@@ -103,6 +111,7 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for GeneralizedAlpha {
             earlier: zero.clone(),
             change: zero.clone(),
             estimate: (zero.clone(), zero.clone()),
+            grows: false,
             still,
             zero,
             scene,
@@ -123,16 +132,25 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         } else if !is(&self.before) {
             self.before.keep(past, dt, &self.zero);
             self.before.offset.set(&self.zero);
+            self.before.change.set(&self.zero);
         }
         self.last.time = None;
+        self.grows = dt > self.before.size * TimeIn::<D, L>::of(GROWTH);
     }
 
     /// The step from the accelerations in `first` and the trace of `past`, and nothing else: it changes neither.
     fn leap(&mut self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &mut MotionIn<D, L>) {
         let real = TimeIn::<D, L>::of;
         let GeneralizedAlpha { beta, gamma, sweeps, .. } = self.rule;
-        // A is the acceleration at a time apart by a share of the step; another size of step needs another one.
-        self.auxiliary.mix_1(&self.first, (dt / self.before.size, &self.before.offset));
+        // A is the acceleration at a time apart by a share of the step; another size of step needs another one. What is left in it of earlier
+        // steps changes sign from step to step and would outgrow the rest where these become longer: then it is made anew.
+        let Trace { offset, size, change, .. } = &self.before;
+        let share = dt / *size;
+        if self.grows {
+            self.auxiliary.mix_1(&self.first, (share * real(self.rule.lead()), change));
+        } else {
+            self.auxiliary.mix_1(&self.first, (share, offset));
+        }
         let [kappa, of_true, of_auxiliary] = self.rule.recurrence();
         let Self { first, auxiliary, .. } = self;
         let (position, rate) = &mut self.free;
@@ -223,6 +241,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         let found = (real(kappa - 1.0), &next.acceleration);
         let [first, auxiliary] = [(real(of_true), &self.first), (real(of_auxiliary), &self.auxiliary)];
         self.last.offset.mix_3(&self.zero, found, first, auxiliary);
+        self.last.change.mix_2(&self.zero, (one, &next.acceleration), (-one, &self.first));
         match self.scene.accept(next) {
             Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
             outcome => outcome,
@@ -284,7 +303,7 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
     fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
         let fits = |trace: &Trace<TimeIn<D, L>, D::Position, D::Rate>| {
             motion.position.all(&trace.position, &mut |_, _| true)
-                && [&trace.rate, &trace.offset].iter().all(|rate| motion.rate.all(rate, &mut |_, _| true))
+                && [&trace.rate, &trace.offset, &trace.change].iter().all(|rate| motion.rate.all(rate, &mut |_, _| true))
         };
         memory.traces.iter().all(fits) && self.scene.gains_fit(&memory.gains)
     }
@@ -294,5 +313,9 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
         self.last.clone_from(last);
         self.before.clone_from(before);
         self.scene.copy_gains(&memory.gains, self.scene.gains_mut(&mut self.stiff));
+    }
+
+    fn restart(&mut self) {
+        (self.last.time, self.before.time) = (None, None);
     }
 }

@@ -5,11 +5,14 @@ use super::{Method, MotionIn, Stepper, TimeIn, check, of_stage};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate, Retraction};
-use crate::scalar::{Elementary, Real};
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::StiffDynamics;
 use crate::time::Sdirk4;
 use crate::time::sdirk4::{ERROR, GAMMA, STAGES, TABLE};
 use num_traits::Zero;
+
+/// Accelerations of the start that differ from what stages point back to by so many times what these differ among themselves are no curve.
+const KNOWN: f64 = 2.0;
 
 /// Steps by [`Sdirk4`].
 ///
@@ -35,6 +38,8 @@ pub struct SdirkStepper<D: StiffDynamics<L>, L> {
     pub(super) room: D::Rate,
     /// Estimated errors of the last step, in positions and in rates.
     estimate: (D::Rate, D::Rate),
+    /// The least and the largest accelerations of the stages.
+    range: (D::Rate, D::Rate),
     /// What steps are controlled by, if they are.
     tolerance: Option<TimeIn<D, L>>,
     pub(super) sweeps: usize,
@@ -59,6 +64,7 @@ impl<D: StiffDynamics<L>, L> Method<D, L> for Sdirk4 {
             led: zero.clone(),
             room: zero.clone(),
             estimate: (zero.clone(), zero.clone()),
+            range: (zero.clone(), zero.clone()),
             zero,
             scene,
             still,
@@ -164,6 +170,28 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
         self.scene.project_stiff(next, Implicit { position: own * own, rate: own }, loads, &mut self.stiff);
     }
 
+    /// Adds to errors of rates what no stage sees: a load that sets in before the first of them, which all others agree with. The accelerations of the
+    /// start, where the last step has ended, differ then from what the stages point back to, by more than these differ among themselves.
+    fn note_unseen(&mut self, past: &MotionIn<D, L>, dt: TimeIn<D, L>) {
+        let real = TimeIn::<D, L>::of;
+        let Self { slopes: [first, others @ ..], range: (least, largest), room, .. } = self;
+        least.set(first);
+        largest.set(first);
+        for slope in others.iter() {
+            least.join(slope, &mut |a, b| (b - a).if_negative(b, a));
+            largest.join(slope, &mut |a, b| (b - a).if_negative(a, b));
+        }
+        largest.join(least, &mut |a, b| a - b);
+        room.mix_3(&self.zero, (real(1.0), &past.acceleration), (real(-2.0), first), (real(1.0), &others[2]));
+        let share = real(TABLE.nodes[0]) * dt;
+        room.join(largest, &mut |jump, range| {
+            let more = jump.abs() - range.scale(real(KNOWN));
+            let unseen = more.if_negative(D::Scalar::zero(), more).scale(share);
+            jump.if_negative(-unseen, unseen)
+        });
+        self.estimate.1.add(&self.room);
+    }
+
     /// Takes from errors of rates what springs would not let last: of e in positions and ė in rates (1 + γ h D + γ² h² K)⁻¹ (ė − γ h K e)
     /// is left, by one more sweep of the last stage with its springs displaced by e + γ h ė (E. Hairer, G. Wanner, IV.8).
     fn filter(&mut self, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) {
@@ -233,11 +261,12 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for SdirkStepper<D, L> {
         let (position, rate) = &mut self.estimate;
         gather(position, &self.zero, dt * dt, &ERROR.position, &self.slopes);
         gather(rate, &self.zero, dt, &ERROR.rate, &self.slopes);
-        // A sweep that only steps take which would be rejected.
-        if let Some(tolerance) = self.tolerance
-            && mean_square(next, (&self.estimate.0, &self.estimate.1), [tolerance; 2]) > 1.0
-        {
-            self.filter(loads, dt, next);
+        if let Some(tolerance) = self.tolerance {
+            self.note_unseen(past, dt);
+            // A sweep that only steps take which would be rejected.
+            if mean_square(next, (&self.estimate.0, &self.estimate.1), [tolerance; 2]) > 1.0 {
+                self.filter(loads, dt, next);
+            }
         }
         match self.scene.accept(next) {
             Err(Error { fault: Fault::NonFiniteMotion, .. }) => Err(self.diagnose(past, loads, dt)),
