@@ -62,12 +62,10 @@ where
             let remaining = self.end - self.past.time;
             let rounding = (RealOf::<S>::EPSILON * RealOf::<S>::of(1e6)).min(RealOf::<S>::of(1e-3));
             let last = remaining <= planned * (one + rounding);
-            // Under error control a step takes the motion as far as its clock, which rounds.
-            let clocked = |size: RealOf<S>| (self.past.time + size) - self.past.time;
             let size = match self.plan.rule.control {
                 _ if last => remaining,
                 Control::Fixed(_) => planned,
-                Control::Tolerance(_) => clocked(planned),
+                Control::Tolerance(_) => clocked(self.past.time, planned),
             };
             if let Control::Tolerance(tolerance) = self.plan.rule.control
                 && let Err(error) = self.progress.trials.count(self.past.time, size)
@@ -205,4 +203,14 @@ where
             Ok(()) => error,
         }
     }
+}
+
+/// A step of this size (s) or hardly less that takes the motion as far as its clock, which rounds.
+fn clocked<R: Real>(time: R, size: R) -> R {
+    let ahead = (time + size) - time;
+    if ahead <= size {
+        return ahead;
+    }
+    // As many roundings of the clock as may be one.
+    (time + (ahead - R::EPSILON * (time.abs() + ahead))) - time
 }

@@ -303,7 +303,9 @@ impl<D: StiffDynamics<L>, L> Stepper<D, L> for ImplicitStepper<D, L> {
     fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
         let fits = |trace: &Trace<TimeIn<D, L>, D::Position, D::Rate>| {
             motion.position.all(&trace.position, &mut |_, _| true)
-                && [&trace.rate, &trace.offset, &trace.change].iter().all(|rate| motion.rate.all(rate, &mut |_, _| true))
+                && [&trace.rate, &trace.offset, &trace.change]
+                    .iter()
+                    .all(|rate| motion.rate.all(rate, &mut |_, _| true))
         };
         memory.traces.iter().all(fits) && self.scene.gains_fit(&memory.gains)
     }

@@ -27,6 +27,11 @@ use crate::error::Fault;
 /// # Ok::<(), catena::Error>(())
 /// ```
 ///
+/// # Steps of other sizes
+///
+/// A leads the acceleration by a share of the step, and where the step changes, so does A. Where steps grow it is made anew, from how the acceleration
+/// has changed over the last one: what is left in it of earlier ones, by (1 − α_m) A₁ = − α_m A₀, would outgrow all else.
+///
 /// # Stiff hinges
 ///
 /// From a smooth start the rule has order two in angles and forces at any stiffness k (tested from 1 to 1e10 N·m/rad). Where a

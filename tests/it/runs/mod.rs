@@ -9,6 +9,7 @@ mod endless_runs;
 mod from_events;
 mod implicit_forces;
 mod laws_of_users;
+mod loads_that_set_in;
 mod named_runs;
 mod references;
 mod series;
