@@ -49,14 +49,14 @@ impl fmt::Display for Fault {
             Fault::ParallelAxes => write!(f, "the axes of the joint are parallel"),
             Fault::SingularJoint => write!(
                 f,
-                "nothing resists the motion in this joint (what lies outboard has no mass or inertia along or about it)"
+                "nothing resists the motion in this joint (what lies outboard has no mass or inertia along or about it, or another joint there moves alike)"
             ),
             Fault::NonFiniteLoad => write!(f, "a load is not finite"),
-            Fault::NonFiniteMotion => write!(f, "the motion is no longer finite"),
+            Fault::NonFiniteMotion => write!(f, "the motion is not finite"),
             Fault::AngleOutOfRange { angle } => {
                 write!(
                     f,
-                    "the angle {angle} rad lies beyond 4e5 rad, where sines lose digits: wrap it",
+                    "the angle {angle} rad lies beyond 4e5 rad, where sines lose digits: wrap it, or take shorter steps if a run has led there",
                     angle = Number(angle)
                 )
             }
@@ -90,12 +90,12 @@ impl fmt::Display for Fault {
                     f,
                     "closures are redundant in this posture: {independent} of {of} are independent, one that is not holds \
                      {closure}; a straight guess has to be bent, a tip be within reach, and a loop that is held more often than it can move is \
-                     one for `LeastNorm` to close"
+                     one for a `Network` that `LeastNorm` closes"
                 )
             }
             Fault::SingularTransfer => write!(
                 f,
-                "no transfer matrix exists: the joint is the centre of percussion of what lies outboard; sweep instead"
+                "no transfer matrix exists: the joint is the centre of percussion of what lies outboard, or nothing yields where a loop is closed; sweep instead"
             ),
             Fault::NotClosed { residual } => {
                 write!(

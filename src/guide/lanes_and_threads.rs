@@ -24,6 +24,7 @@
 //! # }
 //! ```
 //!
-//! Lanes share their steps: with fixed steps each has the bits of a run by itself (loops to rounding), under error control the worst of
+//! Lanes share their steps: with fixed steps each has the bits of a run by itself (loops to rounding; starts
+//! that are assembled from afar may be others than alone), under error control the worst of
 //! the four decides. An error in one ends all, and an ensemble then runs each anew. Events are refused: each lane would have its own. Lanes pay where vectors do:
 //! build for the machine, `RUSTFLAGS="-C target-cpu=native"`.

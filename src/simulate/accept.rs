@@ -205,12 +205,11 @@ where
     }
 }
 
-/// A step of this size (s) or hardly less that takes the motion as far as its clock, which rounds.
+/// A step of this size (s) or hardly less that takes the motion as far as its clock, which rounds; of this size where that does not move the clock.
 fn clocked<R: Real>(time: R, size: R) -> R {
     let ahead = (time + size) - time;
-    if ahead <= size {
-        return ahead;
-    }
-    // As many roundings of the clock as may be one.
-    (time + (ahead - R::EPSILON * (time.abs() + ahead))) - time
+    // As many roundings of the clock less as may be one.
+    let less = (time + (ahead - R::EPSILON * (time.abs() + ahead))) - time;
+    let found = if ahead <= size { ahead } else { less };
+    if found > R::zero() { found } else { size }
 }

@@ -22,8 +22,8 @@ pub(crate) fn check<R: Real>(
     }
     at_least("end of the run", end.as_f64(), start.as_f64(), "it lies before the start")?;
     let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = control;
-    let numbers =
-        [("step size or tolerance", Some(chosen)), ("interval between samples", every), ("longest step", longest)];
+    let chosen_as = if let Control::Fixed(_) = control { "step size" } else { "tolerance" };
+    let numbers = [(chosen_as, Some(chosen)), ("interval between samples", every), ("longest step", longest)];
     for (parameter, number) in numbers {
         if let Some(number) = number
             && !(number.is_finite() && number > R::zero())
@@ -39,7 +39,7 @@ pub(crate) fn check<R: Real>(
     let endless = ((end.as_f64() - start.as_f64()) / MOST, "a run of more than 1e11 instants does not end");
     // Times would round to each other.
     let late = start.abs().max(end.abs()).as_f64();
-    let still = (2.0 * R::EPSILON.as_f64() * late, "it no longer advances time");
+    let still = (2.0 * R::EPSILON.as_f64() * late, "times are rounded by about as much");
     let fixed = match control {
         Control::Fixed(step) => Some(step),
         Control::Tolerance(_) => None,

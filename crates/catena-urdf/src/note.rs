@@ -149,7 +149,7 @@ impl fmt::Display for Remark {
             Self::MimicOfFixed { joint, of } => {
                 write!(
                     f,
-                    "joint {joint:?} follows {of:?}, which has no coordinate of its own: left out, it moves by itself"
+                    "joint {joint:?} follows {of:?}, which has no coordinate of its own: left out, it moves by itself unless it is held, too"
                 )
             }
             Self::Transmission { name } => {
@@ -170,7 +170,7 @@ impl fmt::Display for Remark {
             Self::Doubtful { of } => {
                 write!(
                     f,
-                    "no distribution of mass has the moments of inertia of the body of {of:?}: have it repaired, or catena lists it as doubtful"
+                    "no distribution of mass has the moments of inertia of the body of {of:?}: have it repaired, or catena lists it as doubtful, and refuses one of which a principal moment is negative"
                 )
             }
         }

@@ -94,7 +94,8 @@ impl Options {
         Self { frames, ..self }
     }
 
-    /// Holds a joint at an angle (rad) or a way (m), as if it were fixed there: a gripper, a wheel.
+    /// Holds a joint at an angle (rad) or a way (m), as if it were fixed there: a gripper, a wheel. Joints that follow it are to be held, too, or move by
+    /// themselves, as a note says.
     pub fn hold(mut self, joint: &str, at: f64) -> Self {
         self.held.push((joint.to_owned(), at));
         self

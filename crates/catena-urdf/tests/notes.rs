@@ -37,7 +37,7 @@ fn furniture_of_joints_that_do_not_move_is_left_out_with_a_note() {
         let found = notes(&robot);
         let left_out = |element: &str| format!("<{element}> in <{inside}> is left out");
         let follows =
-            "joint \"b\" follows \"a\", which has no coordinate of its own: left out, it moves by itself".to_owned();
+            "joint \"b\" follows \"a\", which has no coordinate of its own: left out, it moves by itself unless it is held, too".to_owned();
         assert_eq!(found[..3], [follows, left_out("limit"), left_out("dynamics")]);
         assert!(!module(&robot, "r").contains("MIMICS"));
     }

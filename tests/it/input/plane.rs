@@ -554,6 +554,6 @@ fn errors_say_what_where_and_when() {
     let error = Error::new(Fault::SingularJoint).at(Place::Root).at_time(1.5);
     assert_eq!(
         is_error(error),
-        "nothing resists the motion in this joint (what lies outboard has no mass or inertia along or about it), at the root, at t = 1.5 s"
+        "nothing resists the motion in this joint (what lies outboard has no mass or inertia along or about it, or another joint there moves alike), at the root, at t = 1.5 s"
     );
 }

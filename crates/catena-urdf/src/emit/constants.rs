@@ -13,8 +13,10 @@ pub fn joints(robot: &Robot) -> String {
     let names: Vec<_> = robot.bodies.iter().map(|body| format!("{:?}", body.joint)).collect();
     let _ = writeln!(text, "/// Names of the joints, in the order of their coordinates.");
     let _ = writeln!(text, "pub const JOINTS: [&str; {count}] = [{}];\n", names.join(", "));
-    let _ =
-        writeln!(text, "/// Joints by name: numbers in [`JOINTS`] and in all lists of the joints.\npub mod joint {{");
+    let _ = writeln!(
+        text,
+        "/// Joints by name: numbers in [`JOINTS`] and in all lists of the joints. (Loads and readings number the root's joint, too, and welds:\n/// `describe` of the scene has these numbers.)\npub mod joint {{"
+    );
     let mut scope = Scope::new();
     for (number, body) in robot.bodies.iter().enumerate() {
         let kind = if body.slides { "slides (m)" } else { "turns (rad)" };
@@ -108,22 +110,28 @@ pub fn frames(robot: &Robot, plan: &Plan) -> String {
     let mut text = "/// A link of the description: where it stands on the body that carries it.\n\
                     #[derive(Clone, Copy, Debug, PartialEq)]\npub struct Frame {\n    /// Name of the link.\n    pub name: &'static str,\n    \
                     /// The body that carries it, among the bodies of the scene; none for the ground.\n    \
-                    pub body: Option<usize>,\n    /// Origin of the link (m), in axes of the body.\n    pub place: [f64; 3],\n    \
+                    pub body: Option<usize>,\n    \
+                    /// The joint that moves this body, as functions of lists number joints (`snapshot.point(frame.joint, frame.place)`); none for\n    \
+                    /// the base and the ground.\n    pub joint: Option<usize>,\n    /// Origin of the link (m), in axes of the body.\n    pub place: [f64; 3],\n    \
                     /// Axes of the link as columns (row by row), in axes of the body.\n    pub turn: [[f64; 3]; 3],\n}\n\n\
                     /// Links of the description by name.\npub mod frame {\n    use super::Frame;\n"
         .to_owned();
     let mut scope = Scope::new();
     for frame in &robot.frames {
-        let body = match frame.carrier {
-            Carrier::Ground => "None".to_owned(),
-            Carrier::Base => "Some(0)".to_owned(),
-            Carrier::Body(body) => format!("Some({})", plan.bodies[body]),
+        let (body, joint) = match frame.carrier {
+            Carrier::Ground => ("None".to_owned(), "None".to_owned()),
+            Carrier::Base => ("Some(0)".to_owned(), "None".to_owned()),
+            Carrier::Body(body) => (format!("Some({})", plan.bodies[body]), format!("Some({body})")),
         };
         let place = list(frame.pose.place);
         let [x, y, z] = frame.pose.turn.map(list);
         let name = scope.of_constant(&frame.name);
         let _ = writeln!(text, "    /// `{}`.\n    pub const {name}: Frame = Frame {{", comment(&frame.name));
-        let _ = writeln!(text, "        name: {:?},\n        body: {body},\n        place: {place},", frame.name);
+        let _ = writeln!(
+            text,
+            "        name: {:?},\n        body: {body},\n        joint: {joint},\n        place: {place},",
+            frame.name
+        );
         let _ = writeln!(text, "        turn: [{x}, {y}, {z}],\n    }};");
     }
     text += "}\n\n";
