@@ -4,7 +4,9 @@ use super::PastGradient;
 use super::along::Along;
 use super::backward::Acting;
 use super::front::parts::OfNumbers;
+use crate::adjoint::struts::{ByStrut, OfStruts, ReversiblePoints};
 use crate::adjoint::{BodyLaw, Costates, LoadCostates, Reversed, ReversibleTip};
+use crate::couplings::Couplings;
 use crate::element::Element;
 use crate::ends::{Root, Tip};
 use crate::error::Error;
@@ -17,6 +19,7 @@ use crate::motion::Motion;
 use crate::relation::Closures;
 use crate::scalar::{Jet, Scalar};
 use crate::shape::{PerBody, PerJoint, Shape, Takes};
+use crate::struts::{Strut, Struts};
 use crate::system::{Elements, RateOf, Runs, System};
 use crate::time::Explicit;
 
@@ -83,5 +86,80 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M, L: BodyLaw<S>> PastGr
         X: Closures,
     {
         self.steps.along_start(start)
+    }
+}
+
+/// Under struts.
+impl<S, R, C, P, M, L, const D: usize, const N: usize> PastGradient<'_, S, R, C, P, M, Struts<S::Scalar, D, N, L>>
+where
+    S: ReversiblePoints<D>,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    Struts<S::Scalar, D, N, L>: BodyLaw<S, OfNumbers = OfStruts<S::Scalar, D, N>>,
+{
+    /// By the numbers of each strut: [`Gradient::by_struts`](crate::sensitivity::Gradient::by_struts).
+    pub fn by_struts(&self) -> &[ByStrut<S::Scalar, D>; N] {
+        self.steps.by_struts()
+    }
+
+    /// The gradient along the seeds of the same struts over jets: [`Gradient::along_struts`](crate::sensitivity::Gradient::along_struts).
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// use catena::scalar::{Jet, Scalar};
+    /// /// A hatch between two stops, and a strut of a stiffness (N/m) that lifts it onto the upper one.
+    /// macro_rules! hatch {
+    ///     ($stiffness:expr, $number:expr) => {{
+    ///         let range = [-1.5, -0.2].map($number);
+    ///         let hinge = HardStops::between(Revolute::smooth(), range).rebounding($number(0.4));
+    ///         let lid = Rod::uniform($number(1.0), $number(6.0));
+    ///         let scene = System::new(Clamped::origin(), (hinge, lid), Free)?.with_gravity($number(9.81));
+    ///         let strut = Strut::to_ground((0, [0.4, 0.0].map($number)), [0.0, 0.3].map($number));
+    ///         (scene, [strut.with_stiffness($stiffness).with_damping($number(20.0))])
+    ///     }};
+    /// }
+    /// let (scene, struts) = hatch!(400.0, |x: f64| x);
+    /// let mut backward = scene.backward(Dop853).under(Struts::of(struts));
+    /// let course = backward.course(&scene.at_rest(&[-1.0])?, Dop853::tolerance(1e-12), 0.7, &[])?;
+    /// let last = course.states().len() - 1;
+    /// let gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
+    ///     if step == last { by.add(&[1.0], &[0.0]) } else { Ok(()) }
+    /// })?;
+    /// let [by_stiffness] = gradient.along_struts(&hatch!(Jet::<f64, 1>::seed(400.0, 0), Jet::<f64, 1>::of).1);
+    /// # assert!(course.changes().count() > 1);
+    /// # let end_of = |stiffness: f64| -> Result<f64, catena::Error> {
+    /// #     let (scene, struts) = hatch!(stiffness, |x: f64| x);
+    /// #     let loads = Struts::of(struts);
+    /// #     let run = scene.simulation(Dop853::tolerance(1e-12)).loads(&loads);
+    /// #     Ok(run.run(scene.at_rest(&[-1.0])?, 0.7, |_| ())?.motion.coordinates()[0])
+    /// # };
+    /// # let expected = (end_of(400.1)? - end_of(399.9)?) / 0.2;
+    /// # assert!((by_stiffness - expected).abs() < 1e-5 * expected.abs(), "{by_stiffness} {expected}");
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    pub fn along_struts<const K: usize>(&self, struts: &[Strut<Jet<S::Scalar, K>, D>; N]) -> [S::Scalar; K] {
+        self.steps.along_struts(struts)
+    }
+}
+
+/// Where joints are coupled.
+impl<S, R, C, P, M, L, X, const K: usize> PastGradient<'_, S, R, C, P, M, Couplings<S::Scalar, K, L>>
+where
+    S: Reversed,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    X: Clone,
+    Couplings<S::Scalar, K, L>: BodyLaw<S, OfNumbers = ([S::Scalar; K], X)>,
+{
+    /// By the ratio of each coupling, for one start: [`Gradient::by_ratios`](crate::sensitivity::Gradient::by_ratios).
+    pub fn by_ratios(&self) -> &[S::Scalar; K] {
+        self.steps.by_ratios()
+    }
+
+    /// The gradient along the seeds of the same couplings over jets: [`Gradient::along_couplings`](crate::sensitivity::Gradient::along_couplings).
+    pub fn along_couplings<Q, const J: usize>(&self, couplings: &Couplings<Jet<S::Scalar, J>, K, Q>) -> [S::Scalar; J] {
+        self.steps.along_couplings(couplings)
     }
 }

@@ -1,12 +1,11 @@
 //! Gradients of runs whose joints are coupled.
 
+use super::Gradient;
 use super::struts::along;
-use super::{Gradient, PastGradient};
 use crate::adjoint::struts::{ByStrut, OfStruts, ReversiblePoints};
 use crate::adjoint::{BodyLaw, Reversed};
 use crate::couplings::Couplings;
 use crate::element::Element;
-use crate::ends::{Root, Tip};
 use crate::scalar::Jet;
 use crate::struts::{Strut, Struts};
 use num_traits::Zero;
@@ -61,27 +60,6 @@ where
             sum.iter_mut().zip(ratio.eps).for_each(|(sum, part)| *sum += *by * part);
         }
         sum
-    }
-}
-
-/// Past changes of mode.
-impl<S, R, C, P, M, L, X, const K: usize> PastGradient<'_, S, R, C, P, M, Couplings<S::Scalar, K, L>>
-where
-    S: Reversed,
-    R: Root<S>,
-    C: Element<S>,
-    P: Tip<S>,
-    X: Clone,
-    Couplings<S::Scalar, K, L>: BodyLaw<S, OfNumbers = ([S::Scalar; K], X)>,
-{
-    /// By the ratio of each coupling, for one start: [`Gradient::by_ratios`].
-    pub fn by_ratios(&self) -> &[S::Scalar; K] {
-        self.steps.by_ratios()
-    }
-
-    /// The gradient along the seeds of the same couplings over jets: [`Gradient::along_couplings`].
-    pub fn along_couplings<Q, const J: usize>(&self, couplings: &Couplings<Jet<S::Scalar, J>, K, Q>) -> [S::Scalar; J] {
-        self.steps.along_couplings(couplings)
     }
 }
 

@@ -1,10 +1,9 @@
 //! Gradients of runs under struts.
 
-use super::{Gradient, PastGradient};
+use super::Gradient;
 use crate::adjoint::BodyLaw;
 use crate::adjoint::struts::{ByStrut, OfStruts, ReversiblePoints};
 use crate::element::Element;
-use crate::ends::{Root, Tip};
 use crate::lift::Lift;
 use crate::scalar::{Jet, Scalar};
 use crate::struts::{Strut, Struts};
@@ -51,60 +50,6 @@ where
     /// ```
     pub fn along_struts<const K: usize>(&self, struts: &[Strut<Jet<S::Scalar, K>, D>; N]) -> [S::Scalar; K] {
         along(self.by_struts(), struts)
-    }
-}
-
-/// Past changes of mode.
-impl<S, R, C, P, M, L, const D: usize, const N: usize> PastGradient<'_, S, R, C, P, M, Struts<S::Scalar, D, N, L>>
-where
-    S: ReversiblePoints<D>,
-    R: Root<S>,
-    C: Element<S>,
-    P: Tip<S>,
-    Struts<S::Scalar, D, N, L>: BodyLaw<S, OfNumbers = OfStruts<S::Scalar, D, N>>,
-{
-    /// By the numbers of each strut: [`Gradient::by_struts`].
-    pub fn by_struts(&self) -> &[ByStrut<S::Scalar, D>; N] {
-        self.steps.by_struts()
-    }
-
-    /// The gradient along the seeds of the same struts over jets: [`Gradient::along_struts`].
-    ///
-    /// ```
-    /// use catena::planar::*;
-    /// use catena::scalar::{Jet, Scalar};
-    /// /// A hatch that rests on a stop, and a strut of a stiffness (N/m) that lifts it onto another one.
-    /// macro_rules! hatch {
-    ///     ($stiffness:expr, $number:expr) => {{
-    ///         let range = [-1.5, -0.2].map($number);
-    ///         let hinge = HardStops::between(Revolute::smooth(), range).rebounding($number(0.4));
-    ///         let lid = Rod::uniform($number(1.0), $number(6.0));
-    ///         let scene = System::new(Clamped::origin(), (hinge, lid), Free)?.with_gravity($number(9.81));
-    ///         let strut = Strut::to_ground((0, [0.4, 0.0].map($number)), [0.0, 0.3].map($number));
-    ///         (scene, [strut.with_stiffness($stiffness).with_damping($number(20.0))])
-    ///     }};
-    /// }
-    /// let (scene, struts) = hatch!(400.0, |x: f64| x);
-    /// let mut backward = scene.backward(Dop853).under(Struts::of(struts));
-    /// let course = backward.course(&scene.at_rest(&[-1.5])?, Dop853::tolerance(1e-12), 1.0, &[])?;
-    /// let last = course.states().len() - 1;
-    /// let gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
-    ///     if step == last { by.add(&[1.0], &[0.0]) } else { Ok(()) }
-    /// })?;
-    /// let [by_stiffness] = gradient.along_struts(&hatch!(Jet::<f64, 1>::seed(400.0, 0), Jet::of).1);
-    /// # assert!(course.changes().count() > 1);
-    /// # let end_of = |stiffness: f64| -> Result<f64, catena::Error> {
-    /// #     let (scene, struts) = hatch!(stiffness, |x: f64| x);
-    /// #     let loads = Struts::of(struts);
-    /// #     let run = scene.simulation(Dop853::tolerance(1e-12)).loads(&loads);
-    /// #     Ok(run.run(scene.at_rest(&[-1.5])?, 1.0, |_| ())?.motion.coordinates()[0])
-    /// # };
-    /// # let expected = (end_of(400.1)? - end_of(399.9)?) / 0.2;
-    /// # assert!((by_stiffness - expected).abs() < 1e-6 * expected.abs(), "{by_stiffness} {expected}");
-    /// # Ok::<(), catena::Error>(())
-    /// ```
-    pub fn along_struts<const K: usize>(&self, struts: &[Strut<Jet<S::Scalar, K>, D>; N]) -> [S::Scalar; K] {
-        self.steps.along_struts(struts)
     }
 }
 

@@ -331,8 +331,7 @@ impl<T: Scalar> Fall<T> {
         let factors = Factors::of(self.symmetric.plus(damping, &self.metric))?;
         let size = |x: &[T]| x.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
         // Begins in no direction of symmetry.
-        let mut aside: Vec<T> =
-            (1..=self.force.len()).map(|k| T::constant(real((k as f64).sqrt().fract() + 0.1))).collect();
+        let mut aside: Vec<T> = (1..=self.force.len()).map(|k| T::constant(real((k * 5 % 7 + 1) as f64))).collect();
         for _ in 0..ROUNDS {
             aside = factors.solve(&self.metric.apply(&aside));
             let inverse = size(&aside).recip();

@@ -205,7 +205,7 @@ fn chains_on_ground_that_moves_have_the_gradients_of_jets() {
     shake!(GeneralizedAlpha::new(0.8));
 }
 
-/// By an amplitude there is no gradient, and with a tip that is held none of such a run.
+/// By an amplitude there is no gradient, nor where the tip is held.
 #[test]
 fn motions_of_the_ground_have_no_numbers() {
     macro_rules! scene {
@@ -223,20 +223,32 @@ fn motions_of_the_ground_have_no_numbers() {
     let start = system.at_rest(&[-1.0, -0.5]).unwrap();
     let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
     backward.run(&start, 0.1, 2, &[], &mut states).unwrap();
-    let end = |k: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| match k {
-        2 => by.add(&[1.0, 0.0], &[0.0; 2]),
-        _ => Ok(()),
-    };
-    let gradient = backward.gradient(&[], &states, &mut [], end).unwrap();
+    macro_rules! end {
+        () => {
+            |k: usize, _: &_, by: &mut catena::sensitivity::Costate<_>| match k {
+                2 => by.add(&[1.0, 0.0], &[0.0; 2]),
+                _ => Ok(()),
+            }
+        };
+    }
+    let gradient = backward.gradient(&[], &states, &mut [], end!()).unwrap();
     assert!(gradient.along(&scene!(Jet<f64, 1>, Jet::of(0.1), Free)).unwrap() == [0.0]);
     let refused = |found: Result<(), catena::Error>| {
         matches!(found.map_err(|error| error.fault), Err(catena::Fault::Unsupported { .. }))
     };
     assert!(refused(gradient.along(&scene!(Jet<f64, 1>, Jet::seed(0.1, 0), Free)).map(|_| ())));
-    let held = scene!(f64, 0.1, Pinned::at(1.5, -0.5));
-    let (mut backward, mut states) = (held.backward(Rk4), [held.at_rest(&[-1.0, 0.5]).unwrap(); 3]);
-    let start = states[0];
-    assert!(refused(backward.run(&start, 0.1, 2, &[], &mut states)));
+    macro_rules! held {
+        ($N:ty, $amplitude:expr) => {
+            scene!($N, $amplitude, Pinned::at(<$N>::constant(1.5), <$N>::constant(-0.5)))
+        };
+    }
+    let system = held!(f64, 0.1);
+    let start = system.assembled(system.at_rest(&[-1.0, 0.5]).unwrap(), &Unloaded).unwrap();
+    let (mut backward, mut states) = (system.backward(Rk4), [start; 3]);
+    backward.run(&start, 0.1, 2, &[], &mut states).unwrap();
+    let gradient = backward.gradient(&[], &states, &mut [], end!()).unwrap();
+    assert!(gradient.along(&held!(Jet<f64, 1>, Jet::of(0.1))).unwrap() == [0.0]);
+    assert!(refused(gradient.along(&held!(Jet<f64, 1>, Jet::seed(0.1, 0))).map(|_| ())));
 }
 
 /// A root that slides along a line of the ground: its place, angle and line, in a medium.
