@@ -71,7 +71,7 @@ impl<'p, P: Sync, F: FnMut(usize) + Send> Ensemble<'p, P, F> {
     /// lanes (feature `simd`), threads outside and lanes inside. Where parameters are left over, the first of them fills the rest.
     ///
     /// Lanes share their steps. At fixed steps each is its own run, with the bits of plain numbers (in loops to rounding: the lane that
-    /// closes last sets the passes of all; a start that is [assembled](System::assembled) from afar may be another one than alone); under error control the lane that errs most sets the steps of all, so a result depends, within
+    /// closes last sets the passes of all; a start that is [assembled](crate::system::System::assembled) from afar may be another one than alone); under error control the lane that errs most sets the steps of all, so a result depends, within
     /// the tolerance, on its neighbours in the batch, and on nothing else: it is the same in each run. Event functions are refused, for each lane would have its own events: [`run`](Self::run) is for these.
     ///
     /// An error is that of one lane, nobody knows which. Then the runs of the batch are made anew, each alone in all lanes, so that
