@@ -1,4 +1,4 @@
-//! The costate sweep does not know tips that move: parameters in their motion would be lost.
+//! The costate sweep does not know tips that turn with the ground: their directions would be taken for those of one time.
 //@ no gradient of a run goes backward through the tip `
 //@ not a tip that the costate sweep knows
 
@@ -6,12 +6,12 @@ use catena::spatial::*;
 
 fn main() -> Result<(), catena::Error> {
     let rod = Rod::uniform(1.0, 0.1, 1.0);
-    let shaken = |t: f64| GroundMotion {
-        place: [1.0 + t.sin(), 0.0, 0.0],
-        velocity: [t.cos(), 0.0, 0.0],
-        acceleration: [-t.sin(), 0.0, 0.0],
+    let turning = |t: f64| AttitudeMotion {
+        attitude: Rotation::from_angles([0.0, 0.0, 0.1 * t]),
+        spin: [0.0, 0.0, 0.1],
+        acceleration: [0.0; 3],
     };
-    let arch = System::new(Pinned::origin(), (rod, Ball, rod), Pinned::on(Moving(shaken)))?;
+    let arch = System::new(Pinned::origin(), (rod, Ball, rod), Clamped::on([1.0, 0.0, 0.0], Turning(turning)))?;
     let _ = arch.backward(Rk4);
     Ok(())
 }
