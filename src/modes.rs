@@ -24,8 +24,8 @@ use crate::mirror::{Position, Rate};
 use crate::observe::each_body;
 use crate::scalar::{Real, Scalar};
 use crate::system::{
-    Dynamics, Inertial, Linear, MotionOf, PositionOf, Runs, StiffDynamics, System, coordinates, numbers, set, step,
-    unit,
+    Dynamics, Inertial, Linear, MotionOf, PositionOf, Runs, StiffDynamics, System, coordinates, differenced, numbers,
+    set, step, unit,
 };
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use num_traits::Zero;
@@ -33,8 +33,7 @@ use std::vec::Vec;
 
 /// What rounding by ε leaves of a result.
 struct Limits {
-    /// A position of rest may be off by this much (rad, m), and a stiffness asymmetric by this much of its size: differences and rounding
-    /// leave far less. 1e-6 of `f64`.
+    /// A position of rest may be off by this much (rad, m), and a stiffness asymmetric by this much of its size.
     off: f64,
     /// Squared frequencies below this share of the largest are rounding. 1e-11 of `f64`.
     flat: f64,
@@ -43,8 +42,9 @@ struct Limits {
 }
 
 impl Limits {
-    fn of(epsilon: f64) -> Self {
-        Self { off: epsilon.powf(0.383), flat: epsilon.powf(0.7), pull: 1e3 * epsilon }
+    fn of<R: Real>() -> Self {
+        let epsilon = R::EPSILON.as_f64();
+        Self { off: differenced::<R>().as_f64(), flat: epsilon.powf(0.7), pull: 1e3 * epsilon }
     }
 }
 
@@ -164,7 +164,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let pull: Vec<S::Scalar> = near.tangent.components(&numbers(&still.acceleration));
         let pull = &root * DVector::from_iterator(n, pull.iter().map(|x| x.real().as_f64()));
         let stiffest = eigen.eigenvalues.amax();
-        let limits = Limits::of(RealOf::<S>::EPSILON.as_f64());
+        let limits = Limits::of::<RealOf<S>>();
         let flat = limits.flat * stiffest;
         self.carried_alike(&still, &near, flat).map_err(|error| error.at_time(rest.time.as_f64()))?;
         let mut way = DVector::zeros(n);

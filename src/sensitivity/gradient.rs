@@ -27,7 +27,7 @@ pub struct Costate<R, T = f64> {
 
 impl<R, T: Scalar> Costate<R, T> {
     /// Adds other ones.
-    #[cfg(feature = "alloc")]
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub(super) fn and(&mut self, others: &Self)
     where
         R: Rate<T>,

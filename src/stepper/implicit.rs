@@ -1,13 +1,16 @@
 //! Steps by the generalised-α family.
 
+mod memory;
+
+pub use self::memory::ImplicitMemory;
+
+use self::memory::Trace;
 use super::displace::mean_square;
 use super::{Method, MotionIn, Stepper, TimeIn, check, of_prediction};
 use crate::element::{Implicit, Reading};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
-use crate::motion::Motion;
-use crate::relation::Closures;
-use crate::scalar::{Elementary, Real, Scalar};
+use crate::scalar::{Elementary, Real};
 use crate::system::StiffDynamics;
 use crate::time::GeneralizedAlpha;
 use num_traits::{One, Zero};
@@ -43,42 +46,6 @@ pub struct ImplicitStepper<D: StiffDynamics<L>, L> {
     still: MotionIn<D, L>,
     zero: D::Rate,
     sweeps: usize,
-}
-
-/// What [`ImplicitStepper`] carries from step to step: traces of the last two motions, and what joints keep from sweep to sweep.
-#[derive(Clone)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct ImplicitMemory<M, G> {
-    traces: [M; 2],
-    gains: G,
-}
-
-/// A motion, to be recognised by, and how far its auxiliary acceleration A is from the true one; no time before the first step.
-#[derive(Clone)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub struct Trace<R, P, V> {
-    time: Option<R>,
-    position: P,
-    rate: V,
-    /// A − a, and the size (s) of the step that left it: it grows with the size.
-    offset: V,
-    size: R,
-    /// By how much a changed over that step.
-    change: V,
-}
-
-impl<R: Real, P, V> Trace<R, P, V> {
-    /// Keeps a motion, without its accelerations.
-    fn keep<T: Scalar<Real = R>, C: Closures>(&mut self, motion: &Motion<T, P, C>, size: R, zero: &V)
-    where
-        P: Position<T, Rate = V>,
-        V: Rate<T>,
-    {
-        self.time = Some(motion.time);
-        self.position.drift_0(&motion.position, (R::zero(), zero));
-        self.rate.set(&motion.rate);
-        self.size = size;
-    }
 }
 
 impl<D: StiffDynamics<L>, L> Method<D, L> for GeneralizedAlpha {

@@ -8,6 +8,8 @@ mod data;
 mod describe;
 mod doubts;
 mod dynamics;
+#[cfg(feature = "alloc")]
+mod fall;
 mod fitting;
 mod gravity;
 mod hold;
@@ -38,7 +40,7 @@ pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use linear::{Carried, Inertial};
 #[cfg(feature = "std")]
-pub(crate) use linear::{Linear, numbers, set, step, unit};
+pub(crate) use linear::{Linear, differenced, numbers, set, step, unit};
 pub use series::SeriesDynamics;
 pub use turning::AngularVelocity;
 

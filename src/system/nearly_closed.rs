@@ -45,19 +45,24 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if first <= Self::tolerances().0 || (first <= near && second <= first * nearer) {
             return Ok(());
         }
-        let (residual, place) = self.largest_residual(motion, Level::Place);
-        Err(Error::new(Fault::NotAssembled { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
+        Err(self.not_assembled(motion, Level::Place))
     }
 
     /// Refuses rates that closures do not allow, by more than what the first step closes.
     pub(crate) fn led(&self, motion: &MotionOf<S, R, C, P>) -> Result<(), Error> {
-        let (residual, place) = self.largest_residual(motion, Level::Velocity);
+        let (residual, _) = self.largest_residual(motion, Level::Velocity);
         let mut largest = RealOf::<S>::one();
         motion.rate.visit(&mut |rate| largest = largest.max(rate.real().abs()));
         if residual <= RealOf::<S>::of(MISSED) * largest {
             return Ok(());
         }
-        Err(Error::new(Fault::NotAssembled { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
+        Err(self.not_assembled(motion, Level::Velocity))
+    }
+
+    /// Says where a motion misses closures most, and by how much.
+    fn not_assembled(&self, motion: &MotionOf<S, R, C, P>, level: Level) -> Error {
+        let (residual, place) = self.largest_residual(motion, level);
+        Error::new(Fault::NotAssembled { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64())
     }
 
     /// Takes rates that closures do not allow to the nearest that they do, by the inertia of the scene: as a first step of no size would.

@@ -1,30 +1,23 @@
 //! Static equilibrium: the position at which a sweep finds no accelerations.
 
-use super::linear::{Inertial, Linear, numbers, set};
+use super::fall::{Fall, Step};
+use super::linear::{Inertial, numbers, set};
 use super::{Dynamics, MotionOf, PositionOf, Runs, StiffDynamics, System};
-use crate::dense::{Factors, Matrix};
 use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
-use alloc::vec::Vec;
-use num_traits::{One, Zero};
+use num_traits::Zero;
 
 /// Steps before a guess counts as one that leads nowhere.
 const STEPS: usize = 500;
 /// Longest step of a coordinate (rad, m).
 const LONGEST: f64 = 0.5;
-/// Steps longer than this many of those are no good even for their direction.
-const FAR: f64 = 40.0;
 /// A guess so near to an equilibrium (rad, m, of all coordinates together) is meant, whether that is stable or not.
 const NEAR: f64 = 0.01;
 /// How far a coordinate (rad, m) is led off a saddle.
 const OFF: f64 = 0.05;
-/// Share of stiffness without a potential that may be the rounding of one which has it.
-const ASYMMETRY: f64 = 1e-6;
-/// Rounds in which a direction turns to that which stiffness drives most.
-const ROUNDS: usize = 30;
 /// Share of the work expected of a step that it must do.
 const GAIN: f64 = 0.2;
 /// Steps once real parts have come to rest, each of which settles another order of derivatives.
@@ -83,7 +76,8 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.settle(&mut now, loads, &mut workspace)?;
         let (small, tiny) = (RealOf::<S>::EPSILON.powf(real(0.6)), real(2.0) * RealOf::<S>::EPSILON);
         let (mut last, mut damping) = (RealOf::<S>::INFINITY, RealOf::<S>::zero());
-        let (mut near, mut orders) = (false, None);
+        // Whether the equilibrium that steps lead to is meant, stable or not.
+        let (mut meant, mut orders) = (false, None);
         for step in 0..STEPS {
             let linear = self.linearise(&now, loads, &mut stiff);
             let inertial = self.inertial_forces(&now, &linear.tangent, &linear.root);
@@ -92,18 +86,18 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 return Ok(now); // nothing pulls, wherever it is
             }
             if step == 0 {
-                near = fall.step(RealOf::<S>::zero(), false).is_some_and(|step| step.way <= real(NEAR));
+                meant = fall.step(RealOf::<S>::zero(), false).is_some_and(|step| step.way <= real(NEAR));
             }
             // Any larger damping will do where a smaller one fails: steps become short and point downhill.
             let mut ladder = RealOf::<S>::zero();
             let (found, next) = loop {
                 let proven = if ladder.is_zero() {
-                    fall.step(ladder, !near).and_then(|found| found.within(real(LONGEST)))
+                    fall.step(ladder, !meant).and_then(|found| found.within(real(LONGEST)))
                 } else {
                     fall.step(ladder, true).filter(|found| found.size <= real(LONGEST))
                 };
                 if let Some(found) = proven
-                    && let Some(next) = self.moved(&now, &found, near, loads, &mut workspace)
+                    && let Some(next) = self.moved(&now, &found, meant, loads, &mut workspace)
                 {
                     break (found, next);
                 }
@@ -118,11 +112,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let free = ladder <= real(1e6) * RealOf::<S>::EPSILON * fall.scale;
             let stalled = found.size + found.size >= last && (found.size <= small || settled);
             (now, last) = (next, found.size);
-            if settled && !(free || near) {
+            if settled && !(free || meant) {
                 // Nothing pulls at a saddle. Without a potential stiffness does not say what one is: it is the equilibrium that was asked for.
-                near = !fall.has_potential();
+                meant = !fall.has_potential();
                 last = RealOf::<S>::INFINITY;
-                if !near && let Some(next) = self.off_saddle(&now, &fall, ladder, loads, &mut workspace) {
+                if !meant && let Some(next) = self.off_saddle(&now, &fall, ladder, loads, &mut workspace) {
                     now = next;
                 }
             }
@@ -171,12 +165,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.accelerate(motion, loads, workspace)
     }
 
-    /// The motion after a step, unless it leads uphill.
+    /// The motion after a step, unless it leads uphill and not to what is meant.
     fn moved<L: Loading<S>>(
         &self,
         from: &MotionOf<S, R, C, P>,
         step: &Step<S::Scalar>,
-        near: bool,
+        meant: bool,
         loads: &L,
         workspace: &mut <Self as Dynamics<L>>::Workspace,
     ) -> Option<MotionOf<S, R, C, P>>
@@ -188,7 +182,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         set(&mut displacement, step.displacement.iter().copied());
         next.position.displace(&displacement);
         self.settle(&mut next, loads, workspace).ok()?;
-        if near || step.size <= RealOf::<S>::of(SHORT) {
+        if meant || step.size <= RealOf::<S>::of(SHORT) {
             return Some(next);
         }
         // The work of all forces, M a, on the way that it really went, by the trapezoidal rule.
@@ -240,110 +234,4 @@ fn residual<T: Scalar, V: Rate<T>>(acceleration: &V) -> T::Real {
     let mut most = T::Real::zero();
     acceleration.visit(&mut |x| most = most.max(x.real().abs()));
     most
-}
-
-/// What pulls a scene towards rest, in the directions that its closures leave open.
-struct Fall<T: Scalar> {
-    linear: Linear<T::Real>,
-    /// −∂(M a)/∂q, and its symmetric part.
-    stiffness: Matrix<T::Real>,
-    symmetric: Matrix<T::Real>,
-    /// The inertia D that steps are damped by.
-    metric: Matrix<T::Real>,
-    /// M a.
-    force: Vec<T>,
-    /// The size of accelerations that a displacement of one radian causes, or of those there are.
-    scale: T::Real,
-}
-
-/// A step towards rest.
-struct Step<T: Scalar> {
-    /// Displacements of all coordinates (rad, m).
-    displacement: Vec<T>,
-    /// The largest displacement (rad, m).
-    size: T::Real,
-    /// All displacements together (rad, m): no body turns further, however many joints turn it.
-    way: T::Real,
-    /// Work that the forces at the step's start do on it (J).
-    work: T::Real,
-}
-
-impl<T: Scalar> Step<T> {
-    /// This step or, if that is too long, one as long as may be in its direction.
-    fn within(mut self, longest: T::Real) -> Option<Self> {
-        if self.size > longest {
-            let share = longest / self.size;
-            if share * T::Real::of(FAR) < T::Real::one() {
-                return None;
-            }
-            self.displacement.iter_mut().for_each(|x| *x = x.scale(share));
-            self.size = longest;
-            self.way *= share;
-            self.work *= share;
-        }
-        Some(self)
-    }
-}
-
-impl<T: Scalar> Fall<T> {
-    fn of(linear: Linear<T::Real>, [inertial, metric]: [Matrix<T::Real>; 2], acceleration: &[T]) -> Self {
-        let (one, mass) = (T::Real::one(), linear.root.gram());
-        let stiffness = mass.times(&linear.response).plus(one, &inertial).scaled(-one);
-        let symmetric = stiffness.plus(one, &stiffness.transposed()).scaled(T::Real::of(0.5));
-        let force = mass.apply(&linear.tangent.components(acceleration));
-        let most = acceleration.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
-        let scale = linear.response.norm() + most;
-        Self { linear, stiffness, symmetric, metric, force, scale }
-    }
-
-    /// The step with this damping μ; none where the matrix is singular or, if that is asked for, not definite. A damped one goes
-    /// where the potential does: what forces without one would add only leads astray from afar.
-    fn step(&self, damping: T::Real, definite: bool) -> Option<Step<T>> {
-        let stiffness = if damping.is_zero() { &self.stiffness } else { &self.symmetric };
-        // Stiffness that may as well be rounding resists nothing.
-        let margin = self.scale * T::Real::EPSILON * T::Real::of(16.0);
-        if definite && !stiffness.plus(damping - margin, &self.metric).is_definite() {
-            return None;
-        }
-        let along = Factors::of(stiffness.plus(damping, &self.metric))?.solve(&self.force);
-        let work = along.iter().zip(&self.force).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real());
-        let displacement = self.linear.tangent.vector(&along);
-        let (mut size, mut way) = (T::Real::zero(), T::Real::zero());
-        for x in &displacement {
-            if !x.is_finite() {
-                return None;
-            }
-            (size, way) = (size.max(x.real().abs()), way + x.real().abs());
-        }
-        Some(Step { displacement, size, way, work })
-    }
-
-    /// Whether forces have a potential, as far as their stiffness says.
-    fn has_potential(&self) -> bool {
-        let asymmetry = self.stiffness.plus(-T::Real::one(), &self.symmetric).norm();
-        asymmetry <= T::Real::of(ASYMMETRY) * self.stiffness.norm()
-    }
-
-    /// A displacement of size one that stiffness drives further rather than back, if there is one: by inverse iteration with a damping that makes
-    /// stiffness definite.
-    fn driven(&self, damping: T::Real) -> Option<Vec<T>> {
-        let real = T::Real::of;
-        let factors = Factors::of(self.symmetric.plus(damping, &self.metric))?;
-        let size = |x: &[T]| x.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
-        // Begins in no direction of symmetry.
-        let mut aside: Vec<T> = (1..=self.force.len()).map(|k| T::constant(real((k * 5 % 7 + 1) as f64))).collect();
-        for _ in 0..ROUNDS {
-            aside = factors.solve(&self.metric.apply(&aside));
-            let inverse = size(&aside).recip();
-            aside.iter_mut().for_each(|x| *x = x.scale(inverse));
-        }
-        let product = |matrix: &Matrix<T::Real>| {
-            matrix.apply(&aside).iter().zip(&aside).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real())
-        };
-        let rounding = real(1e6) * T::Real::EPSILON * self.scale;
-        let drives = product(&self.symmetric) < -rounding * product(&self.metric);
-        let displacement = self.linear.tangent.vector(&aside);
-        let inverse = size(&displacement).recip();
-        (drives && inverse.is_finite()).then(|| displacement.iter().map(|x| x.scale(inverse)).collect())
-    }
 }

@@ -14,59 +14,69 @@ use std::f64::consts::FRAC_PI_2;
 /// So many derivatives at a time.
 const WIDTH: usize = 8;
 
-/// The gradient of a number read of the last state, by the numbers of a scene, its start and a law of loads, against the same over jets: of the last
-/// coordinate and of the last rate. `$scene` makes scene, start and law of numbers.
+type Many = Jet<f64, WIDTH>;
+
+/// Derivatives of the last coordinate and the last rate by all numbers, against the same over jets: `$made` makes scene, start, what it is
+/// under, the same as loads, and the parts of that which numbers make, and `$more` is the gradient by such parts. Gives how many modes have changed.
+macro_rules! as_forward_of {
+    ($rule:expr, $method:expr, $end:expr, $bound:expr, $numbers:expr, $made:ident, |$gradient:ident, $parts:ident| $more:expr) => {{
+        let numbers: &[f64] = &$numbers;
+        let (scene, start, acting, ..) = $made!(numbers, f64);
+        let mut backward = scene.backward($method).under(acting);
+        let course = backward.course(&start, $rule, $end, &[])?;
+        let (last, n) = (course.states().len() - 1, start.rates().len());
+        let mut pairs: Vec<(f64, f64)> = vec![];
+        for of in 0..2 {
+            let mut unit = [vec![0.0; n], vec![0.0; n]];
+            unit[of][n - 1] = 1.0;
+            let $gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
+                if step == last { by.add(&unit[0], &unit[1]) } else { Ok(()) }
+            })?;
+            for first in (0..numbers.len()).step_by(WIDTH) {
+                let seeds: Vec<_> = (0..)
+                    .zip(numbers)
+                    .map(|(k, x)| $crate::past_changes::Many::seed(*x, usize::wrapping_sub(k, first)))
+                    .collect();
+                let (scene, start, _, loads, $parts) = $made!(&seeds, $crate::past_changes::Many);
+                let (along, by_start) = ($gradient.along(&scene)?, $gradient.along_start(&start)?);
+                let by_loads: [f64; WIDTH] = $more;
+                let run = scene.simulation($rule).loads(&loads).run(start, $end, |_| ());
+                let end = run.map_err(|stopped| stopped.error)?.motion;
+                let Some(end) = if of == 0 { end.coordinates() } else { end.rates() }.pop() else { unreachable!() };
+                for k in 0..WIDTH.min(numbers.len() - first) {
+                    pairs.push((along[k] + by_start[k] + by_loads[k], end.eps[k]));
+                }
+            }
+        }
+        let most = pairs.iter().fold(1.0_f64, |most, (_, x)| most.max(x.abs()));
+        for (k, (found, expected)) in pairs.iter().enumerate() {
+            assert!((found - expected).abs() <= $bound * most, "{k}: {found} {expected}");
+        }
+        course.changes().count()
+    }};
+}
+
+/// The same of a scene and a start, under a law of loads on bodies.
 macro_rules! as_forward_under {
     ($rule:expr, $method:expr, $end:expr, $bound:expr, $numbers:expr, |$x:ident, $T:ident| $scene:expr) => {{
-        #[allow(unused_macros)]
         macro_rules! made {
             ($list:expr, $Number:ty) => {{
                 #[allow(dead_code)]
                 type $T = $Number;
                 let $x: &[$T] = $list;
-                $scene
+                let (scene, start, law) = $scene;
+                (scene, start, law, Loads::none().on_bodies_by(law), law)
             }};
         }
-        let numbers: Vec<f64> = $numbers.to_vec();
-        let (scene, start, law) = made!(&numbers, f64);
-        let mut backward = scene.backward($method).under(law);
-        let course = backward.course(&start, $rule, $end, &[])?;
-        let (last, n) = (course.states().len() - 1, start.rates().len());
-        let (mut found, mut expected) = (vec![], vec![]);
-        for of in 0..2 {
-            let mut unit = [vec![0.0; n], vec![0.0; n]];
-            unit[of][n - 1] = 1.0;
-            let gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
-                if step == last { by.add(&unit[0], &unit[1]) } else { Ok(()) }
-            })?;
-            for first in (0..numbers.len()).step_by(WIDTH) {
-                type Many = Jet<f64, WIDTH>;
-                let seeds: Vec<_> =
-                    numbers.iter().enumerate().map(|(k, x)| Many::seed(*x, k.wrapping_sub(first))).collect();
-                let (scene, start, law) = made!(&seeds, Many);
-                let (mut along, by_start) = (gradient.along(&scene)?, gradient.along_start(&start)?);
-                let mut by_loads = gradient.by_loads()?.iter();
-                Lift::<Many, f64>::lift(&law, &mut |number: Many| {
-                    let by = by_loads.next().copied().unwrap_or(f64::NAN);
-                    along.iter_mut().zip(number.eps).for_each(|(sum, slope)| *sum += by * slope);
-                    by
-                });
-                let loads = Loads::none().on_bodies_by(law);
-                let run = scene.simulation($rule).loads(&loads).run(start, $end, |_| ());
-                let end = run.map_err(|stopped| stopped.error)?.motion;
-                let list = if of == 0 { end.coordinates() } else { end.rates() };
-                let Some(end) = list.last() else { continue };
-                for k in 0..WIDTH.min(numbers.len() - first) {
-                    found.push(along[k] + by_start[k]);
-                    expected.push(end.eps[k]);
-                }
-            }
-        }
-        let most = expected.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
-        for (k, (found, expected)) in found.iter().zip(&expected).enumerate() {
-            assert!((found - expected).abs() <= $bound * most, "{k}: {found} {expected}");
-        }
-        course.changes().count()
+        as_forward_of!($rule, $method, $end, $bound, $numbers, made, |gradient, law| {
+            let (mut sums, mut by_loads) = ([0.0; WIDTH], gradient.by_loads()?.iter());
+            Lift::<$crate::past_changes::Many, f64>::lift(&law, &mut |number: $crate::past_changes::Many| {
+                let by = by_loads.next().copied().unwrap_or(f64::NAN);
+                sums.iter_mut().zip(number.eps).for_each(|(sum, slope)| *sum += by * slope);
+                by
+            });
+            sums
+        })
     }};
 }
 

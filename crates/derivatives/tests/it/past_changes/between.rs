@@ -1,67 +1,11 @@
 //! Under struts between bodies and couplings between joints, by all their numbers: against the same runs over jets, which go forward by the rule itself.
 
-use super::{WIDTH, hanging};
-use catena::loading::LoadLaw;
+use super::{Many, WIDTH, hanging};
+use crate::drag::Drag;
 use catena::planar::*;
-use catena::scalar::{Jet, Scalar};
+use catena::scalar::Scalar;
 use catena::{Error, spatial};
 use std::f64::consts::FRAC_PI_2;
-
-type Many = Jet<f64, WIDTH>;
-
-/// Derivatives of the last coordinate and the last rate by all numbers, against the same over jets: `$made` makes scene, start, loads, and
-/// the parts of these of numbers, and `$more` is the gradient by such parts. Gives how many modes have changed.
-macro_rules! as_forward {
-    ($rule:expr, $method:expr, $end:expr, $bound:expr, $numbers:expr, $made:ident, |$gradient:ident, $parts:ident| $more:expr) => {{
-        let numbers: &[f64] = &$numbers;
-        let (scene, start, loads, _) = $made!(numbers, f64);
-        let mut backward = scene.backward($method).under(loads);
-        let course = backward.course(&start, $rule, $end, &[])?;
-        let (last, n) = (course.states().len() - 1, start.rates().len());
-        let mut pairs: Vec<(f64, f64)> = vec![];
-        for of in 0..2 {
-            let mut unit = [vec![0.0; n], vec![0.0; n]];
-            unit[of][n - 1] = 1.0;
-            let $gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
-                if step == last { by.add(&unit[0], &unit[1]) } else { Ok(()) }
-            })?;
-            for first in (0..numbers.len()).step_by(WIDTH) {
-                let seeds: Vec<_> =
-                    (0..).zip(numbers).map(|(k, x)| Many::seed(*x, usize::wrapping_sub(k, first))).collect();
-                let (scene, start, loads, $parts) = $made!(&seeds, Many);
-                let (along, by_start) = ($gradient.along(&scene)?, $gradient.along_start(&start)?);
-                let by_loads: [f64; WIDTH] = $more;
-                let run = scene.simulation($rule).loads(&loads).run(start, $end, |_| ());
-                let end = run.map_err(|stopped| stopped.error)?.motion;
-                let Some(end) = if of == 0 { end.coordinates() } else { end.rates() }.pop() else { unreachable!() };
-                for k in 0..WIDTH.min(numbers.len() - first) {
-                    pairs.push((along[k] + by_start[k] + by_loads[k], end.eps[k]));
-                }
-            }
-        }
-        let most = pairs.iter().fold(1.0_f64, |most, (_, x)| most.max(x.abs()));
-        for (k, (found, expected)) in pairs.iter().enumerate() {
-            println!("{k}: {found} {expected}");
-            assert!((found - expected).abs() <= $bound * most, "{k}: {found} {expected}");
-        }
-        course.changes().count()
-    }};
-}
-
-/// A drag on the outboard end of each body.
-#[derive(Clone, Copy)]
-struct Drag<T> {
-    drag: T,
-}
-catena::lift!(Drag { drag });
-
-impl<T: Scalar> LoadLaw<BodyMotion<T>> for Drag<T> {
-    type Value = Wrench<T>;
-    fn at(&self, _: T::Real, _: usize, motion: &BodyMotion<T>) -> Wrench<T> {
-        let [x, y]: [T; 2] = motion.outboard().velocity.into();
-        motion.force_at([T::literal(0.4), T::zero()], [-(self.drag * x), -(self.drag * y)])
-    }
-}
 
 /// An arm with friction in its shoulder and stops in its elbow.
 macro_rules! arm {
@@ -97,12 +41,12 @@ fn struts_of_an_arm_with_stops_and_friction() -> Result<(), Error> {
             let down = Strut::to_ground((1, [x[7], x[8]]), [x[9], x[10]]).with_stiffness(x[11]);
             let (struts, drag) = ([across.with_length(x[6]), down], x[12]);
             let loads = Struts::of(struts).and(Loads::none().on_bodies_by(Drag { drag }));
-            (scene, start, loads, (struts, drag))
+            (scene, start, loads, loads, (struts, drag))
         }};
     }
     let struts = [0.3, 0.05, 0.5, -0.04, 30.0, 2.0, 0.35, 0.7, 0.02, 1.0, -0.4, 12.0, 0.15];
     let numbers = [&ARM[..], &struts].concat();
-    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, under, |gradient, parts| {
+    let changes = as_forward_of!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, under, |gradient, parts| {
         let [by_drag] = *gradient.by_loads()? else { unreachable!() };
         sum([gradient.along_struts(&parts.0), along(by_drag, parts.1)])
     });
@@ -125,11 +69,11 @@ fn couplings_of_a_hand_with_stops_and_friction() -> Result<(), Error> {
             let couplings = Couplings::of(&scene, [coupling])?;
             let start = couplings.joined(scene.at_rest(&[x[9], of(0.0)])?);
             let loads = couplings.and(Loads::none().on_bodies_by(Drag { drag: x[10] }));
-            (scene, start, loads, (couplings, x[10]))
+            (scene, start, loads, loads, (couplings, x[10]))
         }};
     }
     let numbers = [0.8, 1.0, 0.3, -2.0, 0.2, 0.7, 9.81, -0.6, 0.1, 0.4, 0.05];
-    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, hand, |gradient, parts| {
+    let changes = as_forward_of!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, hand, |gradient, parts| {
         let [by_drag] = *gradient.by_loads()? else { unreachable!() };
         sum([gradient.along_couplings(&parts.0), along(by_drag, parts.1)])
     });
@@ -151,12 +95,12 @@ fn gears_that_come_to_rest() -> Result<(), Error> {
             let mut start = scene.at_rest(&[of(0.0); 2])?;
             start.set_rates(&[x[5], of(0.0)])?;
             let start = couplings.joined(start);
-            (scene, start, couplings, couplings)
+            (scene, start, couplings, couplings, couplings)
         }};
     }
     // They turn by ω² J / 2 M, with J and M as the first shaft feels them.
     let numbers = [0.4, 0.2, 0.3, 0.1, -2.0, 3.0];
-    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 2.5, 1e-8, numbers, gears, |gradient, parts| {
+    let changes = as_forward_of!(Dop853::tolerance(1e-11), Dop853, 2.5, 1e-8, numbers, gears, |gradient, parts| {
         gradient.along_couplings(&parts)
     });
     assert!(changes > 1, "{changes}");
@@ -179,13 +123,13 @@ fn struts_of_an_arm_in_space() -> Result<(), Error> {
             let start = scene.with_rates(scene.motion(), &rates)?;
             let inside = Strut::between((0, [x[7], x[8], x[9]]), (2, [x[10], x[11], x[12]]));
             let struts = [inside.with_stiffness(x[13]).with_damping(x[14]).with_length(x[15])];
-            (scene, start, Struts::of(struts), struts)
+            (scene, start, Struts::of(struts), Struts::of(struts), struts)
         }};
     }
     let arm = [0.9, 0.02, -0.3, 0.5, 0.6, 0.1, -9.81];
     let strut = [0.1, 0.02, -0.1, -0.05, 0.04, -0.3, 20.0, 1.5, 0.3];
     let numbers = [&arm[..], &strut].concat();
-    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, arm, |gradient, struts| {
+    let changes = as_forward_of!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, arm, |gradient, struts| {
         gradient.along_struts(&struts)
     });
     assert!(changes > 2, "{changes}");

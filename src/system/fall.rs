@@ -1,0 +1,118 @@
+//! What pulls a scene towards rest, and steps that follow it: (K + μ D) δ = M a.
+
+use super::linear::{Linear, differenced};
+use crate::dense::{Factors, Matrix};
+use crate::scalar::{Real, Scalar};
+use alloc::vec::Vec;
+use num_traits::{One, Zero};
+
+/// Steps longer than this many of the longest are no good even for their direction.
+const FAR: f64 = 40.0;
+/// Rounds in which a direction turns to that which stiffness drives most.
+const ROUNDS: usize = 30;
+
+/// What pulls a scene towards rest, in the directions that its closures leave open.
+pub(super) struct Fall<T: Scalar> {
+    linear: Linear<T::Real>,
+    /// −∂(M a)/∂q, and its symmetric part.
+    stiffness: Matrix<T::Real>,
+    symmetric: Matrix<T::Real>,
+    /// The inertia D that steps are damped by.
+    metric: Matrix<T::Real>,
+    /// M a.
+    force: Vec<T>,
+    /// The size of accelerations that a displacement of one radian causes, or of those there are.
+    pub(super) scale: T::Real,
+}
+
+/// A step towards rest.
+pub(super) struct Step<T: Scalar> {
+    /// Displacements of all coordinates (rad, m).
+    pub(super) displacement: Vec<T>,
+    /// The largest displacement (rad, m).
+    pub(super) size: T::Real,
+    /// All displacements together (rad, m): no body turns further, however many joints turn it.
+    pub(super) way: T::Real,
+    /// Work that the forces at the step's start do on it (J).
+    work: T::Real,
+}
+
+impl<T: Scalar> Step<T> {
+    /// This step or, if that is too long, one as long as may be in its direction.
+    pub(super) fn within(mut self, longest: T::Real) -> Option<Self> {
+        if self.size > longest {
+            let share = longest / self.size;
+            if share * T::Real::of(FAR) < T::Real::one() {
+                return None;
+            }
+            self.displacement.iter_mut().for_each(|x| *x = x.scale(share));
+            self.size = longest;
+            self.way *= share;
+            self.work *= share;
+        }
+        Some(self)
+    }
+}
+
+impl<T: Scalar> Fall<T> {
+    pub(super) fn of(linear: Linear<T::Real>, [inertial, metric]: [Matrix<T::Real>; 2], acceleration: &[T]) -> Self {
+        let (one, mass) = (T::Real::one(), linear.root.gram());
+        let stiffness = mass.times(&linear.response).plus(one, &inertial).scaled(-one);
+        let symmetric = stiffness.plus(one, &stiffness.transposed()).scaled(T::Real::of(0.5));
+        let force = mass.apply(&linear.tangent.components(acceleration));
+        let most = acceleration.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
+        let scale = linear.response.norm() + most;
+        Self { linear, stiffness, symmetric, metric, force, scale }
+    }
+
+    /// The step with this damping μ; none where the matrix is singular or, if that is asked for, not definite. A damped one goes
+    /// where the potential does: what forces without one would add only leads astray from afar.
+    pub(super) fn step(&self, damping: T::Real, definite: bool) -> Option<Step<T>> {
+        let stiffness = if damping.is_zero() { &self.stiffness } else { &self.symmetric };
+        // Stiffness that may as well be rounding resists nothing.
+        let margin = self.scale * T::Real::EPSILON * T::Real::of(16.0);
+        if definite && !stiffness.plus(damping - margin, &self.metric).is_definite() {
+            return None;
+        }
+        let along = Factors::of(stiffness.plus(damping, &self.metric))?.solve(&self.force);
+        let work = along.iter().zip(&self.force).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real());
+        let displacement = self.linear.tangent.vector(&along);
+        let (mut size, mut way) = (T::Real::zero(), T::Real::zero());
+        for x in &displacement {
+            if !x.is_finite() {
+                return None;
+            }
+            (size, way) = (size.max(x.real().abs()), way + x.real().abs());
+        }
+        Some(Step { displacement, size, way, work })
+    }
+
+    /// Whether forces have a potential, as far as their stiffness says.
+    pub(super) fn has_potential(&self) -> bool {
+        let asymmetry = self.stiffness.plus(-T::Real::one(), &self.symmetric).norm();
+        asymmetry <= differenced::<T::Real>() * self.stiffness.norm()
+    }
+
+    /// A displacement of size one that stiffness drives further rather than back, if there is one: by inverse iteration with a damping that makes
+    /// stiffness definite.
+    pub(super) fn driven(&self, damping: T::Real) -> Option<Vec<T>> {
+        let real = T::Real::of;
+        let factors = Factors::of(self.symmetric.plus(damping, &self.metric))?;
+        let size = |x: &[T]| x.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
+        // Begins in no direction of symmetry.
+        let mut aside: Vec<T> = (1..=self.force.len()).map(|k| T::constant(real((k * 5 % 7 + 1) as f64))).collect();
+        for _ in 0..ROUNDS {
+            aside = factors.solve(&self.metric.apply(&aside));
+            let inverse = size(&aside).recip();
+            aside.iter_mut().for_each(|x| *x = x.scale(inverse));
+        }
+        let product = |matrix: &Matrix<T::Real>| {
+            matrix.apply(&aside).iter().zip(&aside).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real())
+        };
+        let rounding = real(1e6) * T::Real::EPSILON * self.scale;
+        let drives = product(&self.symmetric) < -rounding * product(&self.metric);
+        let displacement = self.linear.tangent.vector(&aside);
+        let inverse = size(&displacement).recip();
+        (drives && inverse.is_finite()).then(|| displacement.iter().map(|x| x.scale(inverse)).collect())
+    }
+}
