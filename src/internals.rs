@@ -11,7 +11,7 @@ pub mod element {
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub mod front {
     pub use crate::sensitivity::front::parts::{
-        NO_SEEDS, OfNumbers, efforts, held, keeps_modes, known, seeded, shown, split, state, time_after,
+        NO_SEEDS, OfNumbers, efforts, goes_on, held, keeps_modes, known, seeded, shown, split, state, time_after,
     };
     pub use alloc::vec::Vec;
 }

@@ -9,7 +9,7 @@ use nalgebra::Vector3;
     message = "the numbers in `{Self}` cannot be replaced by others, with derivatives say",
     label = "a value that cannot be lifted",
     note = "a struct of the user's own can, once it says which its fields are: `catena::lift!(Name {{ field, other }})`",
-    note = "closures cannot, for their numbers are hidden: write a struct that implements the law"
+    note = "closures cannot, for their numbers are hidden: write a struct that implements the law; `differentiable!(forward ..)` takes closures"
 )]
 pub trait Lift<T: Scalar, U: Scalar> {
     /// This value over `U`.

@@ -11,7 +11,8 @@ use crate::walks::parts::{Sort, parts};
 #[cfg(feature = "std")]
 use std::{format, string::String, vec::Vec};
 
-/// How far the energy of a run strays from its first value, with the scene's kind of number.
+/// How far the energy of a run strays from its first value, with the scene's kind of number: that of bodies and of springs in joints, so that what
+/// struts and other loads take up and give back counts as if it were lost.
 ///
 /// ```
 /// use catena::simulate::EnergyDrift;

@@ -22,7 +22,7 @@ pub use crate::relation::Absent;
 pub use crate::relation::planar::Planar;
 pub use crate::spring::Spring;
 pub use crate::stepper::Stepper;
-pub use crate::struts::{Strut, Struts};
+pub use crate::struts::{StiffStruts, Strut, StrutReading, Struts};
 
 // Named by users as if they stood here.
 #[doc(hidden)]

@@ -48,7 +48,7 @@ pub use crate::relation::spatial::Spatial;
 pub use crate::relation::spatial::algebra::{Columns, Symmetric3};
 pub use crate::spring::Spring;
 pub use crate::stepper::Stepper;
-pub use crate::struts::{Strut, Struts};
+pub use crate::struts::{StiffStruts, Strut, StrutReading, Struts};
 
 // Named by users as if they stood here.
 #[doc(hidden)]

@@ -1,11 +1,17 @@
 //! Springs and dampers between any two points of a scene, or a point and the ground.
 
 mod by_body;
+mod readings;
+mod stiff;
+
+pub use readings::StrutReading;
+pub use stiff::StiffStruts;
 
 use crate::element::{Load, Loading, RealOf, Space};
 use crate::error::Fault;
 use crate::error::checks::{finite, not_negative};
 use crate::lift::Lift;
+use crate::loading::Yields;
 use crate::relation::{Wrench, WrenchOf};
 use crate::scalar::Scalar;
 use by_body::ByBody;
@@ -34,7 +40,7 @@ pub(crate) enum End<T, const D: usize> {
 
 /// A massless spring and damper between two points. Its force acts along the line between them: k (ℓ − ℓ₀) + c ℓ̇ pulls the ends
 /// together. Where they meet the line has no direction: a strut with a length or a damper must keep them apart, or its force is NaN, which
-/// sweeps refuse as [`Fault::NonFiniteLoad`].
+/// sweeps refuse as [`Fault::NonFiniteLoad`] at a body where it ends. [`Struts::readings`] tells lengths, tensions and energies.
 ///
 /// ```
 /// use catena::planar::*;
@@ -70,7 +76,7 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
         Self::new(End::Body(body, at), End::Body(other, there))
     }
 
-    /// Between a point of a body and a place of the ground (m).
+    /// Between a point of a body and a place in inertial axes (m): it stays where it is where the ground of the scene moves.
     pub fn to_ground((body, at): (usize, [T; D]), place: [T; D]) -> Self {
         Self::new(End::Body(body, at), End::Ground(place))
     }
@@ -118,7 +124,7 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
     pub(crate) fn force(&self, [from, to]: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
         let (apart, parting) = (to[0] - from[0], to[1] - from[1]);
         // A spring without length and a damper that is not there have no need of a direction: their ends may meet.
-        if is_absent(self.length) && is_absent(self.damping) {
+        if is_absent(self.damping) && (is_absent(self.length) || is_absent(self.stiffness)) {
             return apart * self.stiffness;
         }
         let direction = apart * norm(apart).recip();
@@ -143,8 +149,9 @@ pub(crate) fn norm<T: Scalar, const D: usize>(a: SVector<T, D>) -> T {
 /// Struts of a scene, beside other loads.
 ///
 /// They are loads: explicit rules take them as they are, and implicit ones where the geometry of a sweep is, so that a strut's
-/// stiffness does not enter the pivots of joints as that of a hinge does. A step must resolve its vibration: h ω < 2.8 for `Rk4`, and for
-/// implicit rules about as much. A strut sees the whole scene, which costs a walk more in each sweep, and nothing where there are none.
+/// stiffness does not enter the pivots of joints as that of a hinge does. A step must resolve its vibration: h ω < 2.8 for `Rk4`, and, unless struts
+/// are made [`stiff`](Self::stiff), h ω < 1 for implicit rules: beyond, motions grow, by `Sdirk4` slowly, by `GeneralizedAlpha::new(0.8)` from h ω = 2
+/// on, by `GeneralizedAlpha::new(0.0)` from 1.5 on. A strut sees the whole scene, which costs a walk more in each sweep, and nothing where there are none.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -204,6 +211,34 @@ impl<T, const D: usize, const N: usize> Sight<T, D, N> {
     }
 }
 
+impl<T: Scalar, const D: usize, const N: usize, L> Struts<T, D, N, L> {
+    /// What struts with such forces (N, on their first ends) and other loads exert on a body.
+    #[cfg_attr(optimised, inline(always))]
+    fn exerted<S: Points<D, Scalar = T>>(
+        &self,
+        (sight, others): &(Sight<T, D, N>, L::Seen),
+        forces: &[SVector<T, D>; N],
+        time: T::Real,
+        body: usize,
+        motion: &S::BodyMotion,
+    ) -> WrenchOf<S>
+    where
+        L: Loading<S>,
+    {
+        let mut sum = Wrench::none();
+        for strut in sight.on(body) {
+            for (end, sign) in self.struts[strut].ends.iter().zip([1.0, -1.0]) {
+                if let End::Body(k, at) = end
+                    && *k == body
+                {
+                    sum = sum + S::pull(motion, *at, forces[strut] * S::Scalar::literal(sign));
+                }
+            }
+        }
+        if L::ON { sum + self.others.on_body(others, time, body, motion).wrench() } else { sum }
+    }
+}
+
 impl<S, L, const D: usize, const N: usize> Loading<S> for Struts<S::Scalar, D, N, L>
 where
     S: Points<D>,
@@ -217,7 +252,13 @@ where
 
     fn nothing() -> (WrenchOf<S>, L::InJoint) {
         const { assert!(N < u16::MAX as usize / 2, "one list has 32766 struts at most") }
-        const { assert!(!L::YIELDS, "beside struts loads do not yield: take contacts as `plain` ones") }
+        const {
+            assert!(
+                matches!(L::YIELDS, Yields::Never),
+                "beside struts loads do not yield: take contacts as `plain` ones"
+            )
+        }
+        const { assert!(!L::COUPLED, "couplings stand before struts: `couplings.and(struts)`") }
         const { assert!(!L::BY_COORDINATE, "beside struts joints are numbered from the root's on: take `Loads::efforts`") }
         (Wrench::none(), L::nothing().1)
     }
@@ -255,24 +296,8 @@ where
         }
     }
     #[cfg_attr(optimised, inline(always))]
-    fn on_body(
-        &self,
-        (sight, others): &Self::Seen,
-        time: RealOf<S>,
-        body: usize,
-        motion: &S::BodyMotion,
-    ) -> WrenchOf<S> {
-        let mut sum = Wrench::none();
-        for strut in sight.on(body) {
-            for (end, sign) in self.struts[strut].ends.iter().zip([1.0, -1.0]) {
-                if let End::Body(k, at) = end
-                    && *k == body
-                {
-                    sum = sum + S::pull(motion, *at, sight.forces[strut] * S::Scalar::literal(sign));
-                }
-            }
-        }
-        if L::ON { sum + self.others.on_body(others, time, body, motion).wrench() } else { sum }
+    fn on_body(&self, seen: &Self::Seen, time: RealOf<S>, body: usize, motion: &S::BodyMotion) -> WrenchOf<S> {
+        self.exerted(seen, &seen.0.forces, time, body, motion)
     }
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> L::InJoint {
         self.others.in_joint(time, joint, motion)

@@ -95,6 +95,12 @@ where
 
     fn nothing() -> (L::OnBody, EffortOf<S>) {
         const { assert!(!L::COUPLED, "couplings stand in one list") }
+        const {
+            assert!(
+                !L::YIELDS.together(),
+                "beside couplings struts do not yield: take them as they are, without `stiff`"
+            )
+        }
         const { assert!(!L::BY_COORDINATE, "beside couplings joints are numbered from the root's on: take `Loads::efforts`") }
         (L::nothing().0, Additive::null())
     }

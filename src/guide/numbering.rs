@@ -38,3 +38,4 @@
 //! | loads on bodies, struts, angles | body |
 //! | forces, errors | station |
 //! | [`Motion::coordinates`](crate::Motion::coordinates), `rates` | coordinates, rates: four and three of a turn in space |
+//! | [functions of lists](crate::robot) of robots | the coordinate: joints from 0 at the first beyond the base |

@@ -105,8 +105,8 @@
 //! Such an element has the numbers of its parts: two joints, one body, a coordinate each. What it does not do:
 //!
 //! * A force along one coordinate does not depend on the other. What couples them acts between the bodies on both sides: a
-//!   [`Strut`](crate::spatial::Strut) across the joint, whose force depends on all coordinates. Statics and modes know that; implicit rules
-//!   take it as a load, so it should not be what is stiff. Potential energy in a budget is without loads'.
+//!   [`Strut`](crate::spatial::Strut) across the joint, whose force depends on all coordinates. Statics and modes know that; implicit rules do of
+//!   struts that are made [`stiff`](crate::spatial::Struts::stiff). Potential energy in a budget is without loads'.
 //! * An inertia is of one coordinate, ½ I q̇². A differential, whose rotor turns by q₁ ± q₂, is not.
 //! * Derivatives backward, as of all joints of your own, are not there; a shipped joint with a [`SpringLaw`](crate::planar::SpringLaw) of your
 //!   own for each coordinate (`Universal::with`, `Cylindrical::with`) has them. A ball takes a [`RotaryLaw`](crate::spatial::RotaryLaw),

@@ -259,12 +259,8 @@ impl<S: Space, B: LoadLaw<S::BodyMotion, Value: Load<S>>, J: LoadLaw<S::JointMot
         self.joints.at(time, joint, &motion.unaccelerated())
     }
     #[inline(always)]
-    fn on_bodies_listed(&self) -> &[B::Value] {
-        self.bodies.list()
-    }
-    #[inline(always)]
-    fn in_joints_listed(&self) -> &[J::Value] {
-        self.joints.list()
+    fn listed(&self) -> (&[B::Value], &[J::Value]) {
+        (self.bodies.list(), self.joints.list())
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
         let of = |list: &'static str| {

@@ -38,12 +38,11 @@ pub trait Loading<S: Space> {
     /// Whether there is anything to see first.
     const SURVEYS: bool = false;
     /// Whether a load depends on time or motion. Where none does, no walk shows the motion to it: loads are
-    /// [`listed`](Self::on_bodies_listed).
+    /// [`listed`](Self::listed).
     const READS: bool = true;
 
-    /// Whether loads on bodies say how they yield ([`Load`] with an inertia of its own in implicit sweeps): then they are read where the
-    /// last sweep has led.
-    const YIELDS: bool = <Self::OnBody as Load<S>>::YIELDS;
+    /// Whether, and how, implicit sweeps know that loads on bodies yield: then they are read where the last sweep has led.
+    const YIELDS: Yields = if <Self::OnBody as Load<S>>::YIELDS { Yields::Each } else { Yields::Never };
 
     /// Whether torques are listed, and [`in_joint`](Self::in_joint) numbers joints, for those of one coordinate alone.
     const BY_COORDINATE: bool = false;
@@ -64,13 +63,10 @@ pub trait Loading<S: Space> {
     /// The torque in joint number `joint` (0 is the root's) at a time.
     fn in_joint(&self, time: RealOf<S>, joint: usize, motion: &S::JointMotion) -> Self::InJoint;
 
-    /// Loads on bodies, from the root on, where no load [`READS`](Self::READS) the motion; an empty list where there are none.
-    fn on_bodies_listed(&self) -> &[Self::OnBody] {
-        &[]
-    }
-    /// Torques in joints likewise, from the root's on.
-    fn in_joints_listed(&self) -> &[Self::InJoint] {
-        &[]
+    /// Loads on bodies and torques in joints, from the root and its joint on, where no load [`READS`](Self::READS) the motion; empty lists where there are
+    /// none.
+    fn listed(&self) -> (&[Self::OnBody], &[Self::InJoint]) {
+        (&[], &[])
     }
 
     /// Finds accelerations by a sweep under loads; by several, where forces hang on these. The last one is under the forces found where more is
@@ -84,6 +80,21 @@ pub trait Loading<S: Space> {
         mut sweep: impl FnMut(&Self, bool, &mut V),
     ) {
         let _ = read;
+        sweep(self, false, acceleration);
+    }
+
+    /// Finds accelerations by implicit sweeps under loads that yield [together](Yields::Together). They are `read` of a state to which accelerations have
+    /// `led`; `pivot` is what a stiffness and a damping make of an acceleration, and `see` looks at the place of the sweeps, with accelerations for
+    /// rates. A sweep is told whether it is not the first.
+    fn yielded<V: Rate<S::Scalar>>(
+        &self,
+        (read, led): (&Self::Seen, &V),
+        pivot: impl Fn(S::Scalar, S::Scalar) -> S::Scalar,
+        see: impl Fn(&V) -> Self::Seen,
+        acceleration: &mut V,
+        mut sweep: impl FnMut(&Self, bool, &mut V),
+    ) {
+        let _ = (read, led, pivot, see);
         sweep(self, false, acceleration);
     }
 
@@ -116,6 +127,28 @@ pub trait Loading<S: Space> {
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
         let _ = (bodies, joints);
         Ok(())
+    }
+}
+
+/// How loads on bodies yield to the accelerations that they cause, as implicit sweeps see it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Yields {
+    /// Not at all.
+    Never,
+    /// Each to those of its own body: a [`Load`] with an inertia of its own, as of a contact.
+    Each,
+    /// To those of several bodies: [`StiffStruts`](crate::planar::StiffStruts).
+    Together,
+}
+
+impl Yields {
+    /// Whether loads yield to their own bodies alone.
+    pub(crate) const fn each(self) -> bool {
+        matches!(self, Self::Each)
+    }
+    /// Whether loads yield to several bodies.
+    pub(crate) const fn together(self) -> bool {
+        matches!(self, Self::Together)
     }
 }
 

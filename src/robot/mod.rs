@@ -51,6 +51,9 @@
 //! that moves is taken at time zero. Those with `afloat` are for the root [`Free`], with velocities of the base in inertial axes, angular ones in its own. Angles out of range (400 000 rad), at which runs stop, are not refused here. None allocates; each is
 //! one walk outward, one inward, or both.
 //!
+//! Lists, and the number of a joint that a function takes, begin with the first joint beyond the base: of an arm on a `Base` that is joint 1 of
+//! `describe` and of loads. `scene.joint(name)?.coordinates().start` is the number in lists.
+//!
 //! Furniture of joints is laws ([`DryFriction`], [`Stops`], a tuple of laws), drives are [`Motor`]s that a controller asks, and a [`Rotor`] behind gears
 //! does to the bodies beside its joint all that it does. Scenes, not functions of
 //! lists, know joints with modes ([`Coulomb`], [`HardStops`], [`BoundedCoulomb`]) and joints whose coordinate is a function of time ([`Driven`]). Loads on links

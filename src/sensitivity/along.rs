@@ -251,6 +251,7 @@ where
 impl<T: Scalar, E: Element<Planar<T>>, L: BodyLaw<Planar<T>>> Gradient<Planar<T>, E, L> {
     /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them, lengths,
     /// masses, gravity, one thickness in sixty rods. The scene is built over jets once, whatever the length of the run.
+    /// Its numbers have to be those of the run, which is not checked: a gradient keeps none.
     ///
     /// ```
     /// use catena::planar::*;

@@ -275,6 +275,7 @@ impl<T: Scalar, J: Closing<Spatial<Jet<T, K>>> + Numbered<T, K>, const K: usize>
 impl<T: Scalar, E: Element<Spatial<T>>, L: BodyLaw<Spatial<T>>> Gradient<Spatial<T>, E, L> {
     /// The gradient along the seeds of a scene over jets, the same scene as that of the run: by whatever its constructor makes of them,
     /// lengths, tensors, axes, attitudes of welds and of the ground, gravity.
+    /// Its numbers have to be those of the run, which is not checked: a gradient keeps none.
     ///
     /// ```
     /// use catena::scalar::{Jet, Scalar};

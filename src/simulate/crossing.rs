@@ -17,7 +17,7 @@ pub(super) const LEFT: f64 = 0.0625;
 /// # Errors
 /// [`Fault::Unsupported`].
 pub(crate) fn of_one_number<T: Scalar>() -> Result<(), Error> {
-    let what = "an event of lanes, each of which has its own";
+    let what = "events and kinks of lanes, each of which has its own";
     if T::LANES { Err(Error::new(Fault::Unsupported { what })) } else { Ok(()) }
 }
 

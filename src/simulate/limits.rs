@@ -20,7 +20,7 @@ pub(crate) fn check<R: Real>(
     if !end.is_finite() {
         return Err(Error::new(Fault::NotFinite { parameter: "end of the run" }));
     }
-    at_least("end of the run", end.as_f64(), start.as_f64(), "it lies before the start")?;
+    at_least("end of the run", end.as_f64(), start.as_f64(), "it lies before where the run begins, or goes on")?;
     let (Control::Fixed(chosen) | Control::Tolerance(chosen)) = control;
     let chosen_as = if let Control::Fixed(_) = control { "step size" } else { "tolerance" };
     let numbers = [(chosen_as, Some(chosen)), ("interval between samples", every), ("longest step", longest)];

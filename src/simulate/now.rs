@@ -77,11 +77,11 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>> Now<'a, 
     pub fn stations(&self) -> Stations<'a, S, Elements<S, R, C>> {
         self.system.stations_of(self.motion(), self.loads)
     }
-    /// Energy and momentum.
+    /// Energy and momentum of bodies and of springs in joints, without that of loads, as of struts.
     pub fn budget(&self) -> Budget<S> {
         self.system.budget_of(self.stepped)
     }
-    /// Mechanical energy (J).
+    /// Mechanical energy (J) of bodies and of springs in joints, without that of loads, as of struts.
     pub fn energy(&self) -> S::Scalar {
         self.budget().energy()
     }

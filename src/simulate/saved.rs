@@ -65,12 +65,13 @@ impl<R: Real> Progress<R> {
     /// Fits a progress to the motion that a run goes on from: fixed steps of another size, or samples at another interval, count from there.
     ///
     /// # Errors
-    /// [`NotFinite`](crate::Fault::NotFinite) for numbers from which no run goes on, as they may be read from data.
+    /// [`NotFinite`](crate::Fault::NotFinite) and [`OutOfRange`](crate::Fault::OutOfRange) for numbers from which no run goes on, as they may be read from data.
     pub(super) fn fit(&mut self, time: R, control: Control<R>, every: Option<R>) -> Result<(), Error> {
         let Self { start, mark, size, samples, steps, rejected, sweeps, .. } = self;
         let counts = [mark.1, *samples, *steps, *rejected, *sweeps].iter().all(|count| *count <= usize::MAX / 2);
-        let times = [*start, mark.0, *size].iter().all(|time| time.is_finite()) && *size >= R::zero();
+        let times = [*start, mark.0, *size].iter().all(|time| time.is_finite());
         ensure_finite(counts && times && self.trials.is_sound(), "progress of a run")?;
+        at_least("size of a saved run's next step", size.as_f64(), 0.0, "runs go on")?;
         at_least("time of a saved run", time.as_f64(), start.as_f64(), "it lies before the start")?;
         let count = |n: usize| R::of(n as f64);
         if let Control::Fixed(dt) = control {

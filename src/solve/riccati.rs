@@ -124,7 +124,7 @@ pub fn sweep<S: Space, E, W, R, P>(
     // What a load reads of the motion is posed before.
     let late = const { E::POSED_LATE && !W::Loads::ON && !<W::Springs as Springs<S::Scalar>>::STIFF };
     // A free tip does not ask how it is turned.
-    let turn = if const { W::Loads::COUPLED && W::Closures::COUNT == 0 } && *again {
+    let turn = if const { (W::Loads::COUPLED || W::Loads::YIELDS.together()) && W::Closures::COUNT == 0 } && *again {
         ground.turn
     } else {
         sines(chain, position, x);
@@ -138,7 +138,7 @@ pub fn sweep<S: Space, E, W, R, P>(
     if const { W::Loads::ON && spread::is_listed::<S, E, W::Loads>() } {
         spread::loads(chain, *loads, (|x| x, |x| x), on_bodies, in_joints);
     } else if W::Loads::ON {
-        if const { <W::Springs as Springs<S::Scalar>>::STIFF && W::Loads::YIELDS } {
+        if const { <W::Springs as Springs<S::Scalar>>::STIFF && W::Loads::YIELDS.each() } {
             // As laws of joints that are not linear: where the last sweep has led, with the accelerations that led there.
             let Reading { position, rate, acceleration } = spring.reading;
             let motion = Coordinates { position, rate, acceleration };
@@ -206,7 +206,7 @@ pub(crate) fn broken_load<S: Space, E: Element<S>, L: Loading<S>>(
     }
     if const { L::BY_COORDINATE } {
         let mut joints = chain.store::<PerJoint<_>>(L::nothing().1);
-        spread::to_coordinates(chain, loads.in_joints_listed(), |x| x, &mut joints);
+        spread::to_coordinates(chain, loads.listed().1, |x| x, &mut joints);
         let (mut count, mut broken) = (0_usize, None);
         entries(chain, &chain.store::<PerBody<()>>(()), &joints, &mut |entry| {
             broken = if matches!(entry, Entry::Joint(torque) if !torque.is_finite()) { Some(count) } else { broken };

@@ -120,6 +120,7 @@ fn of_stage(error: Error) -> Error {
     message = "`{Self}` makes no steps of `{D}` under loads `{L}`",
     label = "not a method for this scene",
     note = "as for `Taylor`: it knows rods, rigid bodies, point masses, pins, welds, sliders and rotary springs and dampers of the plane, and of space rods, rigid bodies, point masses, balls, welds and revolute joints with springs and dampers, in chains, trees and loops (closed by pins, balls and welds) on ground that rests, with tips that are free or held, under gravity, efforts in joints that are values or functions of time, and loads on bodies that are values or laws written for any number (`Loads::on_bodies_over_time`): `Taylor::<12>::knows(&scene)` names what it does not know; `AutoTaylor` knows the same",
+    note = "as for `through_gains`: it goes by explicit rules over jets or dual numbers, through open chains and trees with free tips of shipped elements, but `Cylindrical`, linear springs of hinges, springs of balls, `Flange`, joints that are driven or have modes: without `.through_gains()` the rule itself goes through all of them",
     note = "of loads on bodies `Contacts` act on links of `catena::robot`: on bodies in inertial axes take `contacts.plain()`",
     note = "`Dop853` runs all scenes"
 )]

@@ -11,7 +11,8 @@
 //!
 //! Axes of a ball turn with it: among its coordinates what holds for k < j holds both ways.
 
-use super::linear::{Carried, Inertial, set, unit};
+use super::inertial::{Carried, Inertial};
+use super::linear::{set, unit};
 use super::{Coordinates, MotionOf, PositionOf, RateOf, System, coordinates};
 use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, RealOf};

@@ -1,130 +1,17 @@
 //! A scene linearised about a position: what statics and modes share.
 
+use super::inertial::Inertial;
 use super::{Dynamics, MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, coordinates};
 use crate::dense::{Matrix, Tangent};
-use crate::element::{Element, Implicit, Level, Loading, Reading, RealOf, Space};
+use crate::element::{Element, Implicit, Level, Loading, Reading, RealOf};
 use crate::ends::{Root, Tip};
-use crate::mechanics::planar::{self, Planar};
-use crate::mechanics::spatial::{self, Spatial};
 use crate::mirror::{Position, Rate};
 use crate::observe::{each_body, each_joint, each_residual};
 use crate::relation::Closures;
-use crate::scalar::{Elementary, Real, Scalar};
-use crate::space::FrameOf;
+use crate::scalar::{Real, Scalar};
 use alloc::vec;
 use alloc::vec::Vec;
-use nalgebra::Vector3;
 use num_traits::{One, Zero};
-
-/// A space in which the kinetic energy of a body is half a sum of squares.
-pub trait Inertial: Space {
-    /// Notes velocities of a body times the roots of what resists them, so that their squares add up to twice its kinetic
-    /// energy.
-    fn weighted(body: &Self::BodyMotion, note: &mut impl FnMut(RealOf<Self>));
-    /// Notes rates of a joint's coordinates times the roots of their reflected inertias, √I q̇, where there are any.
-    fn reflected(joint: &Self::JointMotion, note: &mut impl FnMut(RealOf<Self>));
-    /// The motion of the inboard end of a body.
-    fn inboard(body: &Self::BodyMotion) -> FrameOf<Self>;
-    /// Velocity and momentum of a body.
-    fn carried(body: &Self::BodyMotion) -> Carried<RealOf<Self>>;
-}
-
-/// Velocity and momentum of a body, inertial axes (in the plane with z across it).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Carried<R> {
-    /// Velocity of the mass centre (m/s).
-    pub velocity: Vector3<R>,
-    /// Angular velocity (rad/s).
-    pub spin: Vector3<R>,
-    /// Momentum (N·s).
-    pub momentum: Vector3<R>,
-    /// Angular momentum about the mass centre (N·m·s).
-    pub angular: Vector3<R>,
-}
-
-impl<R: Real> Carried<R> {
-    /// Takes away what another one is.
-    pub(crate) fn less(&mut self, other: Self) {
-        self.velocity -= other.velocity;
-        self.spin -= other.spin;
-        self.momentum -= other.momentum;
-        self.angular -= other.angular;
-    }
-}
-
-impl<T: Scalar> Inertial for Planar<T> {
-    fn weighted(body: &planar::BodyMotion<T>, note: &mut impl FnMut(T::Real)) {
-        // A moment of inertia may be negative by rounding.
-        let root = |x: T| x.real().max(T::Real::zero()).sqrt();
-        let (mass, about_centre) = (root(body.inertia.mass), root(body.inertia.about_centre));
-        let velocity = body.centre().velocity;
-        note(mass * velocity.x.real());
-        note(mass * velocity.y.real());
-        note(about_centre * body.rate().real());
-    }
-
-    fn reflected(joint: &planar::JointMotion<T>, note: &mut impl FnMut(T::Real)) {
-        let inertia = joint.inertia.real();
-        if inertia > T::Real::zero() {
-            note(inertia.sqrt() * joint.driven_rate().real());
-        }
-    }
-
-    fn inboard(body: &planar::BodyMotion<T>) -> planar::Frame<T> {
-        body.inboard
-    }
-
-    fn carried(body: &planar::BodyMotion<T>) -> Carried<T::Real> {
-        let zero = T::Real::zero();
-        let centre = body.centre().velocity;
-        let (velocity, spin) =
-            (Vector3::new(centre.x.real(), centre.y.real(), zero), Vector3::new(zero, zero, body.rate().real()));
-        let [mass, about_centre] = [body.inertia.mass, body.inertia.about_centre].map(|x| x.real());
-        Carried { velocity, spin, momentum: velocity * mass, angular: spin * about_centre }
-    }
-}
-
-impl<T: Scalar> Inertial for Spatial<T> {
-    fn weighted(body: &spatial::BodyMotion<T>, note: &mut impl FnMut(T::Real)) {
-        let mass = body.inertia.mass.real().max(T::Real::zero()).sqrt();
-        body.centre().velocity.iter().for_each(|v| note(mass * v.real()));
-        // J = L Lᵀ, column by column; what has no moment about an axis (or less than none, by rounding) has no column.
-        let mut rest = body.inertia.about_centre.map(|row| row.map(|x| x.real()));
-        let spin = body.rate().map(|x| x.real());
-        for k in 0..3 {
-            let mut column = [T::Real::zero(); 3];
-            if rest[k][k] > T::Real::zero() {
-                let inverse = rest[k][k].sqrt().recip();
-                (k..3).for_each(|i| column[i] = rest[i][k] * inverse);
-            }
-            for i in k..3 {
-                (k..3).for_each(|j| rest[i][j] -= column[i] * column[j]);
-            }
-            note((k..3).fold(T::Real::zero(), |sum, i| sum + column[i] * spin[i]));
-        }
-    }
-
-    fn reflected(joint: &spatial::JointMotion<T>, note: &mut impl FnMut(T::Real)) {
-        for (inertia, rate) in joint.inertia.iter().zip(joint.rate).map(|(inertia, rate)| (inertia.real(), rate.real()))
-        {
-            if inertia > T::Real::zero() {
-                note(inertia.sqrt() * rate);
-            }
-        }
-    }
-
-    fn inboard(body: &spatial::BodyMotion<T>) -> spatial::Frame<T> {
-        body.inboard
-    }
-
-    fn carried(body: &spatial::BodyMotion<T>) -> Carried<T::Real> {
-        let rate = body.rate();
-        let own = body.inertia.about_centre.map(|row| (0..3).fold(T::zero(), |sum, i| sum + row[i] * rate[i]));
-        let [spin, angular] = [rate, own].map(|of_body| body.turned(of_body).map(|x| x.real()));
-        let velocity = body.centre().velocity.map(|x| x.real());
-        Carried { velocity, spin, momentum: velocity * body.inertia.mass.real(), angular }
-    }
-}
 
 /// A scene near a position, in the directions that closures and couplings leave open. Linear maps are real; of dual numbers they hold the
 /// real part.
@@ -180,34 +67,86 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// Residuals of velocity of all that is held: the tip, and ends of loops.
-    pub(crate) fn drift(&self, motion: &MotionOf<S, R, C, P>) -> Vec<RealOf<S>> {
+    pub(crate) fn drift(&self, motion: &MotionOf<S, R, C, P>) -> Vec<S::Scalar> {
         let mut drift = vec![];
-        P::Closures::map(&self.residual(motion)[1], |x| drift.push(x.real()));
-        each_residual(self.elements(), self.ground(motion.time), coordinates(motion), |[_, x]| drift.push(x.real()));
+        P::Closures::map(&self.residual(motion)[1], |x| drift.push(x));
+        each_residual(self.elements(), self.ground(motion.time), coordinates(motion), |[_, x]| drift.push(x));
         drift
     }
 
-    /// The directions that closures and couplings leave open.
-    fn tangent<L: Loading<S>>(&self, still: &MotionOf<S, R, C, P>, loads: &L, freedoms: usize) -> Tangent<RealOf<S>> {
-        let missed = |motion: &MotionOf<S, R, C, P>| {
-            let mut all = self.drift(motion);
-            loads.each_miss(&motion.position, &motion.rate, &mut |level, missed, _| {
-                if let Level::Velocity = level {
-                    all.push(missed.real());
-                }
-            });
-            all
-        };
-        let drift = missed(still);
+    /// By how much rates miss what closures and couplings allow.
+    pub(crate) fn missed<L: Loading<S>>(&self, motion: &MotionOf<S, R, C, P>, loads: &L) -> Vec<S::Scalar> {
+        let mut all = self.drift(motion);
+        loads.each_miss(&motion.position, &motion.rate, &mut |level, missed, _| {
+            if let Level::Velocity = level {
+                all.push(missed);
+            }
+        });
+        all
+    }
+
+    /// What each rate by itself misses, in a row for each condition.
+    pub(crate) fn rate_conditions<L: Loading<S>>(
+        &self,
+        still: &MotionOf<S, R, C, P>,
+        loads: &L,
+    ) -> Vec<Vec<RealOf<S>>> {
+        let (drift, freedoms) = (self.missed(still, loads), numbers(&still.rate).len());
         let mut rows: Vec<Vec<RealOf<S>>> = vec![vec![]; drift.len()];
         let mut moving = still.clone();
         for j in 0..if rows.is_empty() { 0 } else { freedoms } {
             set(&mut moving.rate, unit(freedoms, j));
-            for (row, (with, without)) in rows.iter_mut().zip(missed(&moving).into_iter().zip(&drift)) {
-                row.push(with - *without);
+            for (row, (with, without)) in rows.iter_mut().zip(self.missed(&moving, loads).into_iter().zip(&drift)) {
+                row.push(with.real() - without.real());
             }
         }
-        Tangent::of(freedoms, rows)
+        rows
+    }
+
+    /// How accelerations change where a motion at rest is displaced along a direction: by all but springs, and by these. Where `narrow` displacements
+    /// stay where loops are closed.
+    pub(crate) fn changes<L: Loading<S>>(
+        &self,
+        still: &MotionOf<S, R, C, P>,
+        direction: &RateOf<S, R, C>,
+        narrow: bool,
+        loads: &L,
+        workspace: &mut <Self as StiffDynamics<L>>::StiffWorkspace,
+    ) -> [Vec<S::Scalar>; 2]
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let (step, none) = (step::<RealOf<S>>(), RealOf::<S>::zero());
+        // Springs as in an explicit sweep, but apart from the rest: they may be so stiff that the error of a difference in
+        // which the inertia changes too would drown all else.
+        let springs = Implicit { position: none, rate: none };
+        let (mut place, mut acceleration) = (still.position.clone(), still.rate.clone());
+        let mut changes = [(); 2].map(|()| vec![S::Scalar::zero(); numbers(&still.rate).len()]);
+        for (steps, weight) in DIFFERENCES {
+            for sign in [1.0, -1.0] {
+                let reach = step * RealOf::<S>::of(sign * steps);
+                place.drift_0(&still.position, (reach, direction));
+                place.set_clocks(still.time);
+                if narrow {
+                    self.lead_back(&mut place, still, loads);
+                }
+                let (here, there) = ((&still.position, &still.rate), (&place, &still.rate));
+                let weight = RealOf::<S>::of(sign * weight) / step;
+                for ((at, spring), change) in [(there, here), (here, there)].into_iter().zip(&mut changes) {
+                    let found = &mut acceleration;
+                    // No acceleration: the rates are zero.
+                    let reading = Reading { position: spring.0, rate: spring.1, acceleration: &still.rate };
+                    self.implicit_accelerations(still.time, at, spring, reading, springs, loads, workspace, found);
+                    let mut sums = change.iter_mut();
+                    acceleration.visit(&mut |x| {
+                        if let Some(sum) = sums.next() {
+                            *sum += x.scale(weight);
+                        }
+                    });
+                }
+            }
+        }
+        changes
     }
 
     /// The scene linearised about a motion at rest (whose rates are zero) with its tip where it is held.
@@ -220,21 +159,14 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
-        let none = RealOf::<S>::zero();
-        let step = step::<RealOf<S>>();
         let freedoms = numbers(&still.rate).len();
-        let tangent = self.tangent(still, loads, freedoms);
-        let (mut direction, mut acceleration) = (still.rate.clone(), still.rate.clone());
-        let mut place: PositionOf<S, R, C> = still.position.clone();
+        let tangent = Tangent::of(freedoms, self.rate_conditions(still, loads));
+        let mut direction = still.rate.clone();
         // Conditions that follow from others do so where all are met: there displacements have to stay, and go along the directions left open.
         let narrow = tangent.is_redundant();
         let count = if narrow { tangent.dimension() } else { freedoms };
         let mut responses = [(); 2].map(|()| Matrix::zeros(freedoms, count));
         let mut root = Matrix::zeros(0, freedoms);
-        let mut changes = [(); 2].map(|()| vec![none; freedoms]);
-        // Springs as in an explicit sweep, but apart from the rest: they may be so stiff that the error of a difference in
-        // which the inertia changes too would drown all else.
-        let springs = Implicit { position: none, rate: none };
         for j in 0..freedoms {
             set(&mut direction, unit(freedoms, j));
             let column = self.weighted(still, &direction);
@@ -247,33 +179,10 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let along: Vec<RealOf<S>> = unit(count, j).collect();
             let along = if narrow { tangent.vector(&along) } else { along };
             set(&mut direction, along.into_iter().map(S::Scalar::constant));
-            changes.iter_mut().for_each(|change| change.fill(none));
-            for (steps, weight) in DIFFERENCES {
-                for sign in [1.0, -1.0] {
-                    let reach = step * RealOf::<S>::of(sign * steps);
-                    place.drift_0(&still.position, (reach, &direction));
-                    place.set_clocks(still.time);
-                    if narrow {
-                        self.lead_back(&mut place, still, loads);
-                    }
-                    let (here, there) = ((&still.position, &still.rate), (&place, &still.rate));
-                    let weight = RealOf::<S>::of(sign * weight) / step;
-                    for ((at, spring), change) in [(there, here), (here, there)].into_iter().zip(&mut changes) {
-                        let found = &mut acceleration;
-                        // No acceleration: the rates are zero.
-                        let reading = Reading { position: spring.0, rate: spring.1, acceleration: &still.rate };
-                        self.implicit_accelerations(still.time, at, spring, reading, springs, loads, workspace, found);
-                        let mut sums = change.iter_mut();
-                        acceleration.visit(&mut |x| {
-                            if let Some(sum) = sums.next() {
-                                *sum += weight * x.real();
-                            }
-                        });
-                    }
-                }
-            }
-            for (response, change) in responses.iter_mut().zip(&changes) {
-                response.set_column(j, change);
+            let changes = self.changes(still, &direction, narrow, loads, workspace);
+            for (response, change) in responses.iter_mut().zip(changes) {
+                let change: Vec<_> = change.into_iter().map(|x| x.real()).collect();
+                response.set_column(j, &change);
             }
         }
         let reduced = |response: Matrix<_>| match narrow {
@@ -297,11 +206,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 }
 
-/// The step of the differences. The scale of angles is a radian, and it loses about as much by their order as by rounding. A power
-/// of two adds to an angle without rounding.
+/// The step of the differences, 2⁻¹⁰ of `f64` and 2⁻⁷ of `f32`: where (25 h)⁸, what they leave of a rope of a hundred links by their order, is
+/// about what rounding leaves, ε / h. A power of two adds to an angle without rounding.
 pub(crate) fn step<R: Real>() -> R {
     let mut step = R::one();
-    while step * step * step * step * step * step > R::EPSILON * R::of(1.0 / 64.0) {
+    while step.powf(R::of(9.0)) > R::EPSILON * R::of(6.6e-12) {
         step *= R::of(0.5);
     }
     step

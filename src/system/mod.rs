@@ -14,6 +14,8 @@ mod fitting;
 mod gravity;
 mod hold;
 #[cfg(feature = "alloc")]
+mod inertial;
+#[cfg(feature = "alloc")]
 mod inertial_forces;
 mod inspect;
 #[cfg(feature = "alloc")]
@@ -28,6 +30,7 @@ mod series;
 mod start;
 #[cfg(feature = "alloc")]
 mod statics;
+mod strut_readings;
 mod sweeps;
 mod turning;
 
@@ -38,7 +41,7 @@ pub use describe::Description;
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
-pub use linear::{Carried, Inertial};
+pub use inertial::{Carried, Inertial};
 #[cfg(feature = "std")]
 pub(crate) use linear::{Linear, differenced, numbers, set, step, unit};
 pub use series::SeriesDynamics;

@@ -54,7 +54,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(self.stations_of(motion, loads))
     }
 
-    /// Energy and momentum of all bodies and springs.
+    /// Energy and momentum of all bodies and of the springs in joints. That of loads, as of struts, is not in it: [`Struts::readings`] tells it.
+    ///
+    /// [`Struts::readings`]: crate::planar::Struts::readings
     ///
     /// # Errors
     /// [`Fault::Shape`](crate::Fault::Shape) for a motion of another scene.

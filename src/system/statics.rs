@@ -1,7 +1,8 @@
 //! Static equilibrium: the position at which a sweep finds no accelerations.
 
 use super::fall::{Fall, Step};
-use super::linear::{Inertial, numbers, set};
+use super::inertial::Inertial;
+use super::linear::{numbers, set};
 use super::{Dynamics, MotionOf, PositionOf, Runs, StiffDynamics, System};
 use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};

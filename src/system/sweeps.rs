@@ -3,11 +3,12 @@
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
 use super::hold::shorten;
 use crate::element::{
-    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space, Sweep,
-    Watch,
+    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space,
+    Springs, Sweep, Watch,
 };
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
+use crate::loading::Yields;
 use crate::mirror::{Position, Rate};
 use crate::relation::{Closures, Solvable, VectorSpace};
 use crate::release::Release;
@@ -16,7 +17,7 @@ use crate::shape::{Kept, Shape};
 use crate::solve::riccati::{Site, Spring, Workspace, broken_load, correction, sweep};
 use crate::space::{MovingBody, MovingJoint};
 use crate::system::{Elements, MotionOf, PositionOf, RateOf, System, coordinates};
-use crate::visit::last_body;
+use crate::visit::{last_body, survey};
 use crate::walks::broken::{broken, unled};
 use crate::walks::copy::copy;
 use crate::walks::fits::gains_fit;
@@ -191,7 +192,7 @@ where
     Elements<S, R, C>:
         Condense<S, P::Relation, Carrying<L, Implicit<RealOf<S>>, P::Closures>, Out: Close<S, P::Closures>>,
 {
-    const LINEAR: bool = <Elements<S, R, C> as Shape<S>>::LINEAR && !L::YIELDS;
+    const LINEAR: bool = <Elements<S, R, C> as Shape<S>>::LINEAR && matches!(L::YIELDS, Yields::Never);
 
     type StiffWorkspace = Workspace<S, Elements<S, R, C>, Carrying<L, Implicit<RealOf<S>>, P::Closures>>;
 
@@ -272,6 +273,15 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         // A constant asks, for behind a call of `accelerated` a sweep is compiled otherwise: 1 % more instructions of some.
         if const { W::Loads::COUPLED } {
             loads.accelerated(PositionOf::<S, R, C>::MODES || Self::CLOSED > 0, acceleration, swept);
+        } else if const { W::Loads::YIELDS.together() && <W::Springs as Springs<S::Scalar>>::STIFF } {
+            let &Spring { reading, springs, .. } = spring;
+            let see = |motion: Coordinates<'_, S, Elements<S, R, C>>| {
+                survey(&self.chain, self.root.ground(time), motion, loads)
+            };
+            let Reading { position: place, rate: speed, acceleration: led } = reading;
+            let read = (&see(Coordinates { position: place, rate: speed, acceleration: led }), led);
+            let see = |a: &RateOf<S, R, C>| see(Coordinates { position, rate: a, acceleration: a });
+            loads.yielded(read, |k, c| springs.pivot(k, c), see, acceleration, swept);
         } else {
             swept(loads, false, acceleration);
         }

@@ -58,6 +58,9 @@ use crate::error::Fault;
 /// [`System::with_accelerations`](crate::system::System::with_accelerations) finds the others. Forces have order two with either;
 /// where hinges are stiff, those of the rule tend to those of welds, and the others do so but for what two sweeps leave.
 ///
+/// A stepper remembers more of the motions it wrote, its auxiliary acceleration, as long as they are handed back as they were: from a motion that
+/// differs by a rounding, if only in time, it begins anew, and differs by what the first step of a run does.
+///
 /// # Tension
 ///
 /// Pivots know the stiffness of springs, not that which a force has where joints turn: a taut rope or chain swings as fast as in an

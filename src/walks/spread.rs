@@ -22,11 +22,12 @@ pub fn loads<S: Space, E: Shape<S>, L: Loading<S>, X: Copy + 'static, Z: Copy + 
     on_bodies: &mut E::Store<PerBody<X>>,
     in_joints: &mut E::Store<PerJoint<Z>>,
 ) {
-    to_bodies(chain, loads.on_bodies_listed(), on_body, on_bodies);
+    let (forces, torques) = loads.listed();
+    to_bodies(chain, forces, on_body, on_bodies);
     if const { L::BY_COORDINATE } {
-        to_coordinates(chain, loads.in_joints_listed(), in_joint, in_joints);
+        to_coordinates(chain, torques, in_joint, in_joints);
     } else {
-        to_joints(chain, loads.in_joints_listed(), in_joint, in_joints);
+        to_joints(chain, torques, in_joint, in_joints);
     }
 }
 

@@ -54,7 +54,7 @@ impl<T: Scalar, R: Root<S<T>>, C: Element<S<T>>, P: Tip<S<T>>> System<S<T>, R, C
         Ok(self.placed(q).places)
     }
 
-    /// The Jacobian of a point (m, axes of its body) of the body on joint `joint`: for each joint the velocity (m/s) of the point and the
+    /// The Jacobian of a point (m, axes of its body) of the body on joint `joint` (0 is the first beyond the base): for each joint the velocity (m/s) of the point and the
     /// angular velocity (rad/s) of the body, inertial axes, for a rate of one.
     ///
     /// # Errors

@@ -26,7 +26,7 @@ where
     Elements<S, R, C>: Reversible<S, P::Closures, M::Springs<S::Scalar>> + Burdened<S, L, P::Closures>,
     System<S, R, C, P>: Runs<Unloaded, S, R, C, P>,
 {
-    /// Refuses states of another scene and torques of another number; gives the last state.
+    /// Refuses states of another scene or that go back in time, as those beyond the end of a run, and torques of another number; gives the last state.
     pub(super) fn check<'a>(
         &self,
         torques: &[EffortOf<S>],
@@ -37,7 +37,19 @@ where
         };
         self.admits(states.len() - 1, torques.len())?;
         let fit = self.fits(last) && states.iter().all(|state| state.fits(last));
-        if fit { Ok(last) } else { Err(Error::new(Fault::Shape)) }
+        if !fit {
+            return Err(Error::new(Fault::Shape));
+        }
+        for pair in states.windows(2) {
+            let [past, next] = pair else { continue };
+            let size = (next.time - past.time).as_f64();
+            // As an event leaves them, states may be at one time.
+            if !(size >= 0.0 && size.is_finite()) {
+                let fault = Fault::NotPositive { parameter: "time from one state to the next", value: size };
+                return Err(Error::new(fault).at_time(past.time.as_f64()));
+            }
+        }
+        Ok(last)
     }
 
     /// Whether a motion is one of this scene.
@@ -87,6 +99,10 @@ where
         let (bodies, joints) = (self.steps.scene.elements().bodies(), self.steps.scene.joints());
         self.steps.loads.law.ties().check(bodies, joints).map_err(Error::new)?;
         Loading::<S>::check(&self.steps.loads.law.beside(Absent), bodies, joints).map_err(Error::new)?;
-        if given == 0 || given == joints { Ok(()) } else { counted("torques", steps.saturating_mul(joints), given) }
+        if given == 0 || given == joints {
+            Ok(())
+        } else {
+            counted("torques of all steps (or of one, or none)", steps.saturating_mul(joints), given)
+        }
     }
 }

@@ -9,7 +9,7 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::stepper::advances;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
 use core::ops::Range;
@@ -114,7 +114,8 @@ where
     /// ```
     ///
     /// # Errors
-    /// As [`gradient`](Self::gradient); [`Fault::Count`], which says how many states or steps of the tape are needed.
+    /// As [`gradient`](Self::gradient); [`Fault::Count`], which says how many states or steps of the tape are needed; [`Fault::Unsupported`] for states
+    /// that another plan has kept, with the time of the first that this one has no use for.
     pub fn gradient_between(
         &mut self,
         plan: Checkpoints<RealOf<S>>,
@@ -167,6 +168,14 @@ where
         let mut gradient = self.begin(by_torques);
         let ([start, ..], [.., last]) = (states, states) else { return Ok(gradient) };
         let clock = (start.time, plan.step);
+        for (k, state) in states.iter().enumerate() {
+            let steps = if k + 1 == states.len() { plan.steps } else { plan.between(k).start };
+            let late = state.time - (start.time + plan.step * RealOf::<S>::of(steps as f64));
+            if !late.is_finite() || late.abs() > plan.step * RealOf::<S>::of(0.5) {
+                let what = "the gradient of a run from states that were kept by another plan";
+                return Err(Error::new(Fault::Unsupported { what }).at_time(state.time.as_f64()));
+            }
+        }
         cost(plan.steps, last, &mut gradient.start)?;
         for (k, state) in states[..states.len() - 1].iter().enumerate().rev() {
             let between = plan.between(k);

@@ -14,6 +14,7 @@ use num_traits::Zero;
     message = "no gradient of a run goes backward through the rule `{Self}`",
     label = "not a rule that goes backward",
     note = "`Rk4`, `Dopri5`, `Dop853`, `Sdirk4` and `GeneralizedAlpha` do",
+    note = "it takes a method alone, `Rk4`: the size of steps is told to `run`, the tolerance to `run_adaptive`, the rule `Rk4::step(0.001)` to a simulation and to `course`",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait Staged: Copy + Debug {

@@ -11,7 +11,7 @@ use crate::motion::Motion;
 use crate::relation::{Additive, Closures};
 use crate::scalar::{Jet, Scalar};
 use crate::sensitive::Varied;
-use crate::stepper::Stepper;
+use crate::stepper::{Stepper, advances};
 use crate::system::{Dynamics, MotionOf, System};
 use alloc::vec::Vec;
 
@@ -60,6 +60,11 @@ pub fn split<T>(numbers: &[T], torques: usize) -> Result<(&[T], &[T]), Error> {
     parts.ok_or(Error::new(Fault::Count { list: "inputs", expected: torques, given }))
 }
 
+/// Refuses steps that do not go on.
+pub fn goes_on(step: f64) -> Result<(), Error> {
+    advances(step)
+}
+
 /// The time after so many steps of a size, without the rounding of a running sum.
 pub fn time_after(start: f64, size: f64, steps: usize) -> f64 {
     start + size * steps as f64
@@ -99,7 +104,7 @@ where
     let (count, given) = (EffortOf::<S>::COUNT, numbers.len());
     let all = count * scene.joints();
     if given > 0 && given != all {
-        counted("torques", all.saturating_mul(steps), given)?;
+        counted("torques of all steps (or of one, or none)", all.saturating_mul(steps), given)?;
     }
     Ok(numbers.chunks_exact(count).map(EffortOf::<S>::of).collect())
 }

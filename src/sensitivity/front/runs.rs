@@ -86,6 +86,7 @@ macro_rules! differentiable {
             let (inputs, torques) = front::split(&numbers, $plan.torques)?;
             let make = |$x: &[$N]| -> ::core::result::Result<_, $crate::Error> { Ok($scene) };
             let (system, mut now) = make(inputs)?;
+            front::goes_on($plan.step)?;
             let efforts = front::efforts(&system, torques, $plan.steps)?;
             let (begin, mut next, mut stepper) = (now.time(), now.clone(), system.stepper($plan.method));
             front::keeps_modes(&stepper)?;

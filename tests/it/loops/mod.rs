@@ -11,5 +11,6 @@ mod open_starts;
 mod plane;
 mod shared_loops;
 mod space;
+mod stiff_struts;
 mod struts;
 mod trees;

@@ -60,6 +60,8 @@ fn forces_come_in_pairs_and_energy_is_kept() -> Result<(), Error> {
     has_order("momentum", 4.0, 1e-11, &errors);
     let end = scene.simulation(Dop853::tolerance(1e-12)).loads(&loads).run(start, 2.0, |_| ())?.motion;
     near(energy(&end), before.0, 1e-9);
+    let stored: f64 = loads.readings(&scene, &end)?.iter().map(|strut| strut.energy).sum();
+    near(scene.budget(&end)?.energy() + stored, energy(&end), 1e-13);
     let after = scene.budget(&end)?;
     for k in 0..3 {
         near(after.momentum[k], before.1.momentum[k], 1e-9);
@@ -100,6 +102,15 @@ fn a_strut_to_the_ground_is_a_force() -> Result<(), Error> {
     let one = scene.with_accelerations(start, &Struts::of([strut]).and(Loads::none().torques(torques)))?;
     let other = scene.with_accelerations(start, &by_hand.torques(torques))?;
     near(one.acceleration().1.1, other.acceleration().1.1, 1e-11);
+    // What it does in this motion.
+    let [reading] = Struts::of([strut]).readings(&scene, &start)?;
+    let bodies = scene.body_motions(&start)?;
+    let Some(point) = bodies.get(1).map(|body| body.point([0.6, 0.0])) else { unreachable!() };
+    let apart = nalgebra::Vector2::from(place) - point.place;
+    let parting = -apart.dot(&point.velocity) / apart.norm();
+    near(reading.length, apart.norm(), 1e-14);
+    near(reading.rate, parting, 1e-14);
+    near(reading.tension, k * (apart.norm() - length) + c * parting, 1e-12);
     // And under implicit rules.
     let exact = scene.simulation(Dop853::tolerance(1e-12)).loads(&Struts::of([strut])).run(start, 1.0, |_| ())?;
     let mut errors = vec![];

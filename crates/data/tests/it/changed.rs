@@ -258,6 +258,9 @@ fn an_end_before_the_start_is_out_of_range() -> Result<(), Error> {
     let start = scene.at_rest(&[-1.0, -0.5])?.at_time(2.0);
     let refused = scene.simulation(Rk4::step(0.01)).begin(start, 1.0, |_| ()).err().unwrap().error;
     assert!(matches!(refused.fault, Fault::OutOfRange { least: 2.0, value: 1.0, .. }), "{refused}");
-    assert_eq!(refused.to_string(), "end of the run must be finite and at least 2, but is 1: it lies before the start");
+    assert_eq!(
+        refused.to_string(),
+        "end of the run must be finite and at least 2, but is 1: it lies before where the run begins, or goes on"
+    );
     Ok(())
 }

@@ -173,3 +173,24 @@ fn modes_that_steps_do_not_change_are_refused() {
         assert!(matches!(fault, Fault::Unsupported { what } if what.contains("course")), "{fault}");
     }
 }
+
+#[test]
+fn steps_that_do_not_go_on_are_refused_both_ways() {
+    for step in [0.0, -0.01, f64::NAN] {
+        let plan = Plan { method: Rk4, step, steps: 10, torques: 0, outputs: 1 };
+        let swing = catena::differentiable!(
+            Number,
+            plan,
+            |x| {
+                let scene = System::new(Pinned::origin(), Rod::uniform(x[0], Number::literal(1.0)), Free)?;
+                let start = scene.with_rates(scene.motion(), &[Number::literal(1.0)])?;
+                (scene, start)
+            },
+            |_, _, now, y| y[0] = now.coordinates()[0]
+        );
+        for way in [Way::Forward, Way::Backward] {
+            let fault = swing.jacobian_by(&[1.0], way).unwrap_err().fault;
+            assert!(matches!(fault, Fault::NotPositive { .. }), "{step}: {fault}");
+        }
+    }
+}

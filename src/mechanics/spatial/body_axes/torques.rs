@@ -51,8 +51,8 @@ impl<T: Scalar, V: AsRef<[T]>> Loading<Spatial<T>> for Torques<V> {
     fn in_joint(&self, _: T::Real, joint: usize, _: &JointMotion<T>) -> T {
         self.0.as_ref().get(joint).copied().unwrap_or(T::zero())
     }
-    fn in_joints_listed(&self) -> &[T] {
-        self.0.as_ref()
+    fn listed(&self) -> (&[Absent], &[T]) {
+        (&[], self.0.as_ref())
     }
     fn check(&self, _: usize, joints: usize) -> Result<(), Fault> {
         let given = self.0.as_ref().len();

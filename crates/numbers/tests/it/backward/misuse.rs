@@ -73,6 +73,34 @@ fn steps_that_do_not_go_on_and_costs_that_are_no_numbers_are_refused() -> Result
 }
 
 #[test]
+fn states_of_another_plan_and_beyond_the_end_are_refused() -> Result<(), Error> {
+    let system = pendulum()?;
+    let start = system.at_rest(&[-1.0, -0.5])?;
+    let (mut backward, mut states) = (system.backward(Rk4), [start; 16]);
+    let plan = Checkpoints { step: 0.01, steps: 100, every: 7 };
+    backward.run_between(&start, plan, &[], &mut states)?;
+    let mut tape = vec![backward.tape(); 10];
+    let mut asked = |plan| {
+        let found = backward.gradient_between(plan, &[], &states, &mut tape, &mut [], |_, _, _| Ok(()));
+        found.map(|_| ()).map_err(|error| error.fault)
+    };
+    assert_eq!(asked(plan), Ok(()));
+    for other in
+        [Checkpoints { every: 10, ..plan }, Checkpoints { every: 8, ..plan }, Checkpoints { step: 0.02, ..plan }]
+    {
+        assert!(matches!(asked(other), Err(Fault::Unsupported { what }) if what.contains("another plan")), "{other:?}");
+    }
+    // A list that is longer than the run: what is beyond is at the start's time.
+    let mut states = [start; 15];
+    backward.run(&start, 0.01, 10, &[], &mut states)?;
+    let found = backward.gradient(&[], &states, &mut [], |_, _, _| Ok(())).map(|_| ()).unwrap_err();
+    assert!(matches!(found.fault, Fault::NotPositive { value, .. } if (value + 0.1).abs() < 1e-15), "{found}");
+    assert!(found.time.is_some_and(|time| (time - 0.1).abs() < 1e-15));
+    assert!(backward.gradient(&[], &states[..11], &mut [], |_, _, _| Ok(())).is_ok());
+    Ok(())
+}
+
+#[test]
 fn an_event_that_no_time_changes_has_no_gradient() -> Result<(), Error> {
     let system = pendulum()?;
     let start = system.at_rest(&[-1.0, -0.5])?;
