@@ -22,7 +22,6 @@ impl<R: Real> Matrix<R> {
     }
 
     /// Number of columns.
-    #[cfg(feature = "std")]
     pub fn columns(&self) -> usize {
         self.columns
     }

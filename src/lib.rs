@@ -84,7 +84,7 @@ mod counts;
 mod couplings;
 #[cfg(feature = "serde")]
 mod data;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod dense;
 mod driven;
 mod element;

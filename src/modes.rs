@@ -151,8 +151,8 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// to 1e-9.
     ///
     /// Over jets and dual numbers [`square_with_derivatives`](Mode::square_with_derivatives) has first derivatives, φᵀ (dK − ω² dM) φ of a mode with
-    /// φᵀ M φ = 1, for as many sweeps again; the `rest` should have its own, as [`equilibrium`](Self::equilibrium) finds them. Over `f32` ω² errs by
-    /// some 1e-5 of the largest: 60 rods of a rope have their lowest frequency to 1 %, 100 rods do not.
+    /// φᵀ M φ = 1, for as many sweeps again; the `rest` should have its own, as [`equilibrium`](Self::equilibrium) finds them. Over `f32` ω² errs by some 1e-6 of the
+    /// largest: a rope of 100 rods has its lowest frequency to 0.1 %, and the lowest ones of 60 stiff rods as a beam drown, and may come out negative.
     ///
     /// # Errors
     /// [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6

@@ -14,7 +14,7 @@ pub(crate) use residuals::each_residual;
 pub(crate) use residuals::loop_residual;
 
 use crate::counts::HasBody;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 use crate::element::Watch;
 use crate::element::{Closed, Coordinates, Element, Gather, Load, Loading, RealOf, Space, Visit};
 use crate::relation::{Wrench, WrenchOf};
@@ -24,7 +24,7 @@ use crate::visit::survey;
 use crate::walks::entries::{Entry, entries};
 use crate::walks::find;
 use crate::walks::gather::gather;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 use crate::walks::travel::show;
 use crate::walks::travel::travel;
 use core::fmt;
@@ -211,7 +211,7 @@ impl<S: Space, X: Copy + 'static, F: FnMut(&S::BodyMotion) -> X> Visit<S> for Co
 }
 
 /// Walks outward and shows each body; keeps nothing.
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub(crate) fn each_body<S: Space, E: Element<S>>(
     chain: &E,
     ground: FrameOf<S>,
@@ -222,7 +222,7 @@ pub(crate) fn each_body<S: Space, E: Element<S>>(
 }
 
 /// Walks outward and shows each joint; keeps nothing.
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub(crate) fn each_joint<S: Space, E: Element<S>>(
     chain: &E,
     ground: FrameOf<S>,
@@ -233,10 +233,10 @@ pub(crate) fn each_joint<S: Space, E: Element<S>>(
 }
 
 /// Shows each joint.
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 struct ShowJoints<F>(F);
 
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 impl<S: Space, F: FnMut(&S::JointMotion)> Watch<S> for ShowJoints<F> {
     fn joint(&mut self, joint: &S::JointMotion) {
         (self.0)(joint);
@@ -244,10 +244,10 @@ impl<S: Space, F: FnMut(&S::JointMotion)> Watch<S> for ShowJoints<F> {
 }
 
 /// Shows each body.
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 struct Show<F>(F);
 
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 impl<S: Space, F: FnMut(&S::BodyMotion)> Watch<S> for Show<F> {
     fn body(&mut self, body: &S::BodyMotion) {
         (self.0)(body);

@@ -3,7 +3,7 @@
 use super::dynamics::Dynamics;
 use super::hold::{CORRECTIONS, shorten};
 use super::least_change::least_change;
-use super::linear::{numbers, set, unit};
+use super::lists::{numbers, set, unit};
 use super::{MotionOf, Runs, System, coordinates};
 use crate::element::{Element, Level, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};

@@ -1,6 +1,7 @@
-//! What pulls a scene towards rest, and steps that follow it: (K + μ D) δ = M a.
+//! What pulls a scene towards rest, and steps that follow it: K δ = M a, and downhill (|K| + μ D) δ = M a.
 
 use super::linear::{Linear, differenced};
+use super::principal::Principal;
 use crate::dense::{Factors, Matrix};
 use crate::scalar::{Real, Scalar};
 use alloc::vec::Vec;
@@ -8,8 +9,6 @@ use num_traits::{One, Zero};
 
 /// Steps longer than this many of the longest are no good even for their direction.
 const FAR: f64 = 40.0;
-/// Rounds in which a direction turns to that which stiffness drives most.
-const ROUNDS: usize = 30;
 
 /// What pulls a scene towards rest, in the directions that its closures leave open.
 pub(super) struct Fall<T: Scalar> {
@@ -65,18 +64,35 @@ impl<T: Scalar> Fall<T> {
         Self { linear, stiffness, symmetric, metric, force, scale }
     }
 
-    /// The step with this damping μ; none where the matrix is singular or, if that is asked for, not definite. A damped one goes
-    /// where the potential does: what forces without one would add only leads astray from afar.
-    pub(super) fn step(&self, damping: T::Real, definite: bool) -> Option<Step<T>> {
-        let stiffness = if damping.is_zero() { &self.stiffness } else { &self.symmetric };
+    /// Newton's step; none where the matrix is singular or, if that is asked for, not definite.
+    pub(super) fn newton(&self, definite: bool) -> Option<Step<T>> {
         // Stiffness that may as well be rounding resists nothing.
         let margin = self.scale * T::Real::EPSILON * T::Real::of(16.0);
-        if definite && !stiffness.plus(damping - margin, &self.metric).is_definite() {
+        if definite && !self.stiffness.plus(-margin, &self.metric).is_definite() {
             return None;
         }
-        let along = Factors::of(stiffness.plus(damping, &self.metric))?.solve(&self.force);
+        self.step(&Factors::of(self.stiffness.clone())?.solve(&self.force))
+    }
+
+    /// Directions in which stiffness and inertia are independent. Of stiffness without a potential they leave out what would only lead astray from afar.
+    pub(super) fn principal(&self) -> Option<Principal<T::Real>> {
+        Principal::of(&self.symmetric, &self.metric)
+    }
+
+    /// The step with this damping μ downhill.
+    pub(super) fn damped(&self, principal: &Principal<T::Real>, damping: T::Real) -> Option<Step<T>> {
+        self.step(&principal.step(&self.force, damping))
+    }
+
+    /// Whether stiffness drives further from here along some direction, more than rounding would.
+    pub(super) fn is_driven(&self, principal: &Principal<T::Real>) -> bool {
+        principal.lowest().0 < -self.scale * T::Real::EPSILON * T::Real::of(1e6)
+    }
+
+    /// A step along directions that are open; none if it is no number.
+    fn step(&self, along: &[T]) -> Option<Step<T>> {
         let work = along.iter().zip(&self.force).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real());
-        let displacement = self.linear.tangent.vector(&along);
+        let displacement = self.linear.tangent.vector(along);
         let (mut size, mut way) = (T::Real::zero(), T::Real::zero());
         for x in &displacement {
             if !x.is_finite() {
@@ -93,26 +109,10 @@ impl<T: Scalar> Fall<T> {
         asymmetry <= differenced::<T::Real>() * self.stiffness.norm()
     }
 
-    /// A displacement of size one that stiffness drives further rather than back, if there is one: by inverse iteration with a damping that makes
-    /// stiffness definite.
-    pub(super) fn driven(&self, damping: T::Real) -> Option<Vec<T>> {
-        let real = T::Real::of;
-        let factors = Factors::of(self.symmetric.plus(damping, &self.metric))?;
-        let size = |x: &[T]| x.iter().fold(T::Real::zero(), |most, x| most.max(x.real().abs()));
-        // Begins in no direction of symmetry.
-        let mut aside: Vec<T> = (1..=self.force.len()).map(|k| T::constant(real((k * 5 % 7 + 1) as f64))).collect();
-        for _ in 0..ROUNDS {
-            aside = factors.solve(&self.metric.apply(&aside));
-            let inverse = size(&aside).recip();
-            aside.iter_mut().for_each(|x| *x = x.scale(inverse));
-        }
-        let product = |matrix: &Matrix<T::Real>| {
-            matrix.apply(&aside).iter().zip(&aside).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real())
-        };
-        let rounding = real(1e6) * T::Real::EPSILON * self.scale;
-        let drives = product(&self.symmetric) < -rounding * product(&self.metric);
-        let displacement = self.linear.tangent.vector(&aside);
-        let inverse = size(&displacement).recip();
-        (drives && inverse.is_finite()).then(|| displacement.iter().map(|x| x.scale(inverse)).collect())
+    /// A displacement of size one in the direction in which stiffness drives further most.
+    pub(super) fn driven(&self, principal: &Principal<T::Real>) -> Vec<T> {
+        let displacement = self.linear.tangent.vector(principal.lowest().1);
+        let size = displacement.iter().fold(T::Real::zero(), |most, x| most.max(x.abs()));
+        displacement.iter().map(|x| T::constant(*x * size.recip())).collect()
     }
 }

@@ -36,6 +36,7 @@ pub struct Carried<R> {
 
 impl<R: Real> Carried<R> {
     /// Takes away what another one is.
+    #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
     pub(crate) fn less(&mut self, other: Self) {
         self.velocity -= other.velocity;
         self.spin -= other.spin;

@@ -12,7 +12,7 @@
 //! Axes of a ball turn with it: among its coordinates what holds for k < j holds both ways.
 
 use super::inertial::{Carried, Inertial};
-use super::linear::{set, unit};
+use super::lists::{set, unit};
 use super::{Coordinates, MotionOf, PositionOf, RateOf, System, coordinates};
 use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, RealOf};

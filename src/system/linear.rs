@@ -1,6 +1,7 @@
 //! A scene linearised about a position: what statics and modes share.
 
 use super::inertial::Inertial;
+use super::lists::{numbers, set, unit};
 use super::{Dynamics, MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, coordinates};
 use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Implicit, Level, Loading, Reading, RealOf};
@@ -22,19 +23,6 @@ pub(crate) struct Linear<R> {
     pub root: Matrix<R>,
     /// Accelerations for unit displacements, −M⁻¹ K at rest.
     pub response: Matrix<R>,
-}
-
-/// The numbers of a rate, root to tip.
-pub(crate) fn numbers<T: Scalar, V: Rate<T>>(rate: &V) -> Vec<T> {
-    let mut numbers = vec![];
-    rate.visit(&mut |x| numbers.push(x));
-    numbers
-}
-
-/// Sets the numbers of a rate, root to tip.
-pub(crate) fn set<T: Scalar, V: Rate<T>>(rate: &mut V, numbers: impl IntoIterator<Item = T>) {
-    let mut numbers = numbers.into_iter();
-    rate.replace(&mut |_| numbers.next().unwrap_or(T::zero()));
 }
 
 /// Central differences of eighth order: places (in steps) and weights.
@@ -220,9 +208,4 @@ pub(crate) fn step<R: Real>() -> R {
 /// 2e-3 of `f32`; they leave far less.
 pub(crate) fn differenced<R: Real>() -> R {
     R::EPSILON.powf(R::of(0.383))
-}
-
-/// Unit vector `j` of `n`.
-pub(crate) fn unit<T: Scalar>(n: usize, j: usize) -> impl Iterator<Item = T> {
-    (0..n).map(move |i| if i == j { T::one() } else { T::zero() })
 }

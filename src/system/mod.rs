@@ -8,27 +8,31 @@ mod data;
 mod describe;
 mod doubts;
 mod dynamics;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod fall;
 mod fitting;
 mod gravity;
 mod hold;
 #[cfg(feature = "alloc")]
 mod inertial;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod inertial_forces;
 mod inspect;
 #[cfg(feature = "alloc")]
 mod least_change;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod linear;
+#[cfg(feature = "alloc")]
+mod lists;
 mod nearly_closed;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod principal;
 mod projection;
 mod readings;
 mod reference;
 mod series;
 mod start;
-#[cfg(feature = "alloc")]
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod statics;
 mod strut_readings;
 mod sweeps;
@@ -43,7 +47,9 @@ pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use inertial::{Carried, Inertial};
 #[cfg(feature = "std")]
-pub(crate) use linear::{Linear, differenced, numbers, set, step, unit};
+pub(crate) use linear::{Linear, differenced, step};
+#[cfg(feature = "std")]
+pub(crate) use lists::{numbers, set, unit};
 pub use series::SeriesDynamics;
 pub use turning::AngularVelocity;
 

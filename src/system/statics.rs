@@ -2,7 +2,7 @@
 
 use super::fall::{Fall, Step};
 use super::inertial::Inertial;
-use super::linear::{numbers, set};
+use super::lists::{numbers, set};
 use super::{Dynamics, MotionOf, PositionOf, Runs, StiffDynamics, System};
 use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
@@ -31,10 +31,10 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// coordinates vanish under gravity, springs and loads. Its forces λ at a held tip are in its
     /// [`multipliers`](crate::Motion::multipliers), internal forces in its [`stations`](Self::stations).
     ///
-    /// Newton's method on sweeps, (K + μ D) δ = M a, with the mass matrix M and accelerations a. K is how the forces M a change with
-    /// position, which near rest is that of [`modes`](Self::modes). Far from equilibrium, the inertia D of each coordinate by itself
-    /// (about all axes of a ball alike) times a μ that is large enough leads downhill, as the work done on the way proves; near a
-    /// stable equilibrium μ vanishes, and digits double. A heavy load on a rope of 50 segments in space falls from the
+    /// Newton's method on sweeps, K δ = M a, with the mass matrix M and accelerations a. K is how the forces M a change with
+    /// position, which near rest is that of [`modes`](Self::modes). Far from equilibrium (|K| + μ D) δ = M a leads downhill, as the work done on the way
+    /// proves: D is the inertia of each coordinate by itself (about all axes of a ball alike), μ as large as it takes, and |K| turns back along the
+    /// directions in which K drives on. Near a stable equilibrium digits double. A heavy load on a rope of 50 segments in space falls from the
     /// horizontal to rest in 14 steps. An unstable equilibrium is found from a guess within 0.01 rad of it, in all coordinates together; one that
     /// steps downhill lead to, as a straight guess to that of a beam which should buckle, is left on one of its sides. What is stiff along itself and
     /// hardly so across, as a cable that stretches, may take many steps: begin at the rest of a chain of rods. A
@@ -87,37 +87,44 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 return Ok(now); // nothing pulls, wherever it is
             }
             if step == 0 {
-                meant = fall.step(RealOf::<S>::zero(), false).is_some_and(|step| step.way <= real(NEAR));
+                meant = fall.newton(false).is_some_and(|step| step.way <= real(NEAR));
             }
-            // Any larger damping will do where a smaller one fails: steps become short and point downhill.
-            let mut ladder = RealOf::<S>::zero();
-            let (found, next) = loop {
-                let proven = if ladder.is_zero() {
-                    fall.step(ladder, !meant).and_then(|found| found.within(real(LONGEST)))
-                } else {
-                    fall.step(ladder, true).filter(|found| found.size <= real(LONGEST))
-                };
-                if let Some(found) = proven
-                    && let Some(next) = self.moved(&now, &found, meant, loads, &mut workspace)
-                {
-                    break (found, next);
+            let moved = fall.newton(!meant).and_then(|step| step.within(real(LONGEST))).and_then(|found| {
+                self.moved(&now, &found, meant, loads, &mut workspace).map(|next| (found, next, RealOf::<S>::zero()))
+            });
+            let mut driven = None;
+            let (found, next, ladder) = match moved {
+                Some(moved) => moved,
+                None => {
+                    let principal = fall.principal().ok_or_else(|| self.unsettled(&now))?;
+                    driven = fall.is_driven(&principal).then(|| fall.driven(&principal));
+                    // Any larger damping will do where a smaller one fails: steps become short.
+                    let mut ladder = (real(64.0) * RealOf::<S>::EPSILON * fall.scale).max(damping * real(0.01));
+                    loop {
+                        if let Some(found) = fall.damped(&principal, ladder).filter(|found| found.size <= real(LONGEST))
+                            && let Some(next) = self.moved(&now, &found, meant, loads, &mut workspace)
+                        {
+                            break (found, next, ladder);
+                        }
+                        ladder *= real(2.0);
+                        if ladder > real(1e6) * fall.scale || !ladder.is_finite() {
+                            return Err(self.unsettled(&now));
+                        }
+                    }
                 }
-                if ladder > real(1e6) * fall.scale || !ladder.is_finite() {
-                    return Err(self.unsettled(&now));
-                }
-                let least = (real(64.0) * RealOf::<S>::EPSILON * fall.scale).max(damping * real(0.01));
-                ladder = if ladder.is_zero() { least } else { ladder * real(10.0) };
             };
             damping = ladder;
             let settled = residual(&now.acceleration) <= real(64.0) * RealOf::<S>::EPSILON * fall.scale;
-            let free = ladder <= real(1e6) * RealOf::<S>::EPSILON * fall.scale;
+            let free = driven.is_none() && ladder <= real(1e6) * RealOf::<S>::EPSILON * fall.scale;
             let stalled = found.size + found.size >= last && (found.size <= small || settled);
             (now, last) = (next, found.size);
             if settled && !(free || meant) {
                 // Nothing pulls at a saddle. Without a potential stiffness does not say what one is: it is the equilibrium that was asked for.
                 meant = !fall.has_potential();
                 last = RealOf::<S>::INFINITY;
-                if !meant && let Some(next) = self.off_saddle(&now, &fall, ladder, loads, &mut workspace) {
+                if let Some(aside) = driven.filter(|_| !meant)
+                    && let Some(next) = self.off_saddle(&now, &aside, loads, &mut workspace)
+                {
                     now = next;
                 }
             }
@@ -200,15 +207,13 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     fn off_saddle<L: Loading<S>>(
         &self,
         saddle: &MotionOf<S, R, C, P>,
-        fall: &Fall<S::Scalar>,
-        damping: RealOf<S>,
+        aside: &[S::Scalar],
         loads: &L,
         workspace: &mut <Self as Dynamics<L>>::Workspace,
     ) -> Option<MotionOf<S, R, C, P>>
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
-        let aside = fall.driven(damping)?;
         [OFF, -OFF].into_iter().find_map(|by| {
             let (mut next, mut displacement) = (saddle.clone(), saddle.rate.clone());
             set(&mut displacement, aside.iter().map(|x| x.scale(RealOf::<S>::of(by))));

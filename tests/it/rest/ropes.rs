@@ -1,0 +1,28 @@
+//! Ropes of many links between two points, with a payload, from a guess far off: each link lies along the force that it carries.
+
+use catena::Error;
+use catena::planar::*;
+
+#[test]
+fn a_held_rope_with_a_payload_is_found_from_a_bent_guess() -> Result<(), Error> {
+    let (n, loaded) = (100, 59);
+    let length = 1.5 / n as f64;
+    let link = Rod::uniform(length, 0.4 * length);
+    let rope = System::new(Pinned::origin(), (link, vec![(Pin, link); n - 1]), Pinned::at(1.0, 0.0))?;
+    let rope = rope.with_gravity(9.81);
+    let [right, up] = [3.0, -5.0]; // (N), where the rope weighs 5.9 N
+    let payload = Loads::none().on_bodies(move |_, body, motion: &BodyMotion<f64>| {
+        if body == loaded { motion.force_at([length, 0.0], [right, up]) } else { Wrench::default() }
+    });
+    let guess: Vec<f64> = (0..n).map(|k| if k < n / 2 { -0.8 } else { 0.9 }).collect();
+    let rest = rope.equilibrium(rope.at_rest(&guess)?, &payload)?;
+    // The force at the middle of each link, from that of the root.
+    let held = rope.stations(&rest, &payload)?.root().internal.force;
+    for (k, angle) in rope.angles(&rest)?.iter().enumerate() {
+        let beyond = if k > loaded { [right, up] } else { [0.0; 2] };
+        let weight = (k as f64 + 0.5) * 0.4 * length * 9.81;
+        let [x, y] = [held.x + beyond[0], held.y - weight + beyond[1]];
+        assert!((angle.sin() * x - angle.cos() * y).abs() < 1e-11 * x.hypot(y), "link {k}");
+    }
+    Ok(())
+}
