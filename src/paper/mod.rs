@@ -106,7 +106,8 @@
 //! # Loads in joints
 //!
 //! Laws in joints are told how the bodies on either side of a joint move, by which it turns and how fast; slides, springs and reflected
-//! inertia of the [`JointMotion`](crate::planar::JointMotion) are zero, for at displacement level a joint has none of its own.
+//! inertia of the [`JointMotion`](crate::planar::JointMotion) are zero, for at displacement level a joint has none of its own. A root that
+//! is guided has its slide, and a load in joint 0 is a force along its line.
 //!
 //! # What it is good for
 //!

@@ -2,7 +2,7 @@
 
 use super::body::{External, Rigid};
 use super::expansion::Expansion;
-use super::link::End;
+use super::link::{End, dot};
 use super::orient::{Axes, Spring};
 use super::parts::{Item, Start};
 use super::scene::{Chain, Met, Scene, Slots, refuse_others, trace};
@@ -40,8 +40,11 @@ where
         let (o, one) = (T::zero(), T::one());
         if let Some([x, y]) = guide {
             let (s, c) = ground.turn.angle.sin_cos();
-            let normal = [-(s * x + c * y), c * x - s * y, o];
-            return End::holding(&[normal, [o, o, one]], &[o; 2]);
+            let (line, normal) = ([c * x - s * y, s * x + c * y, o], [-(s * x + c * y), c * x - s * y, o]);
+            let mut end = End::holding(&[normal, [o, o, one]], &[o; 2]);
+            // The direction left is the line, one way or the other.
+            end.known[2] = drive * dot(&end.pulls[2], &line);
+            return end;
         }
         End::along_axes(core::array::from_fn(|k| R::Pairs::MOTION[k]), [o, o, -drive])
     }
@@ -127,7 +130,7 @@ where
         number: usize,
         [inner, outer]: [Option<&BodyMotion<T>>; 2],
         ground: &Frame<T>,
-        _: Option<[T; 2]>,
+        guide: Option<[T; 2]>,
     ) -> [T; 1] {
         if !L::ON {
             return [T::zero()];
@@ -137,10 +140,25 @@ where
         let spring = SpringState { torque: T::zero(), force: [T::zero(); 2], energy: T::zero() };
         let arm = Vector2::new(T::zero(), T::zero());
         let none = [T::zero(); 2];
-        let motion =
+        let mut motion =
             JointMotion { inboard, outboard, arm, spring, turns: true, slide: none, sliding: none, inertia: T::zero() };
+        if let (0, Some(guide)) = (number, guide) {
+            motion = guided(motion, guide);
+        }
         [loads.in_joint(time, number, &motion).add_to(T::zero())]
     }
+}
+
+/// The joint of a root that is guided along a direction of the ground's axes.
+fn guided<T: Scalar>(motion: JointMotion<T>, guide: [T; 2]) -> JointMotion<T> {
+    let (ground, body) = (motion.inboard, motion.outboard);
+    let (s, c) = ground.turn.angle.sin_cos();
+    let [x, y] = guide;
+    let line = Vector2::new(c * x - s * y, s * x + c * y);
+    let along = |of: Vector2<T>| [line.x * of.x + line.y * of.y, T::zero()];
+    // That the line turns with the ground moves points across it.
+    let (arm, velocity) = (body.place - ground.place, body.velocity - ground.velocity);
+    JointMotion { turns: false, arm, slide: along(arm), sliding: along(velocity), ..motion }
 }
 
 /// Closures one after the other.

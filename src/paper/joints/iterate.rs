@@ -119,7 +119,8 @@ where
                 let joint = &self.parts.joints[number];
                 let outer = self.motions.get(joint.outer).map_or(*ground, |motion| motion.inboard);
                 let inner = joint.inner().and_then(|k| self.motions.get(k));
-                let turn = inner.map_or(ground.turn, |motion| motion.inboard.turn);
+                // What nothing holds has no other side: its own inboard end.
+                let turn = inner.map_or(if S::HELD { ground.turn } else { outer.turn }, |motion| motion.inboard.turn);
                 self.stations[k] = state(&Frame { turn, ..outer }, force);
                 if joint.turns && (S::HELD || k > 0) {
                     let body = self.parts.bodies.get(joint.outer);

@@ -8,7 +8,7 @@ mod balance;
 mod iterate;
 
 use crate::error::{Error, Fault, Place};
-use crate::mechanics::planar::index::{M, QX, QY, THETA, X, Y};
+use crate::mechanics::planar::index::{QX, QY, THETA, X, Y};
 use crate::mechanics::planar::{BodyMotion, Frame};
 use crate::paper::expansion::Expansion;
 use crate::paper::link::{End, Link};
@@ -151,8 +151,8 @@ where
         self.parts.bodies.iter().map(|body| body.angles[0].value)
     }
 
-    /// States (14) of all stations after a step: the ground's side of the root's joint, the inboard end of each element, the tip. Forces
-    /// come from the balance of bodies at the positions, rates and accelerations found.
+    /// States (14) of all stations after a step: the ground's side of the root's joint (of a free root the inboard end of the first body),
+    /// the inboard end of each element, the tip. Forces come from the balance of bodies at the positions, rates and accelerations found.
     pub fn stations(&self) -> &[StateVector<T, 7>] {
         &self.stations
     }
@@ -229,13 +229,14 @@ where
         }
     }
 
-    /// What is known of increments at the root. One that nothing holds takes back what the iterate leaves there.
+    /// What is known of increments at the root. One that nothing holds takes back the force that the iterate leaves there; its torque is
+    /// that applied in joint 0 already, for the joint's law says it.
     fn root_end(&self) -> End<T, 3> {
         if S::HELD {
             return End::along_axes([true; 3], [T::zero(); 3]);
         }
         let z = &self.stations[0];
-        End::along_axes([false; 3], [-z[QX], -z[QY], -z[M]])
+        End::along_axes([false; 3], [-z[QX], -z[QY], T::zero()])
     }
 
     /// Adds the increments; tells the largest relative one.

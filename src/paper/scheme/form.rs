@@ -101,8 +101,8 @@ where
         self.links.push(Link::Parting { law, smooth, linear });
     }
 
-    /// The torque applied in a joint.
-    fn effort(
+    /// The torque applied in a joint; the force along the line of a root that is guided.
+    pub(super) fn effort(
         &self,
         number: usize,
         joint: &Joint<T, <S::Orient as Joints<T, P, A>>::Ahead, A>,
@@ -110,7 +110,8 @@ where
         time: T::Real,
         ground: &<S::Orient as Joints<T, P, A>>::Frame,
     ) -> [T; A] {
-        if !joint.turns {
+        // A root that is guided slides.
+        if !joint.turns && (number > 0 || self.guide.is_none()) {
             return [T::zero(); A];
         }
         let sides = [joint.inner(), Some(joint.outer)].map(|k| self.body(k).map(|body| body.guessed(span)));

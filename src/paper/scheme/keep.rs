@@ -134,6 +134,8 @@ where
         // The body whose angles the station has, and the point that it is.
         let (of, point, at) = match order.get(k) {
             Some(Part::Body(body)) => (Some(*body), *body, 0),
+            // What nothing holds has no other side: its own inboard end.
+            Some(Part::Joint(0)) if !S::HELD => (Some(joints[0].outer), joints[0].outer, 0),
             Some(Part::Joint(joint)) => (joints[*joint].inner(), joints[*joint].outer, 0),
             None => (bodies.len().checked_sub(1), bodies.len().saturating_sub(1), 2),
         };

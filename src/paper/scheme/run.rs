@@ -73,6 +73,7 @@ where
     }
 
     /// States (14), (13) of all stations after a step: the ground's side of the root's joint, the inboard end of each element, the tip.
+    /// Boundary conditions stand for the joint of a root that is guided or free: there the first is the inboard end of the first element.
     pub fn stations(&self) -> &[StateVector<T, N>] {
         &self.stations
     }
