@@ -93,6 +93,10 @@
 //! do not converge, all others have their orders. Multistep rules run with angles only. The predictor-corrector methods that the
 //! paper names beside Houbolt's do not express ξ̈ by ξ: theirs is the acceleration level, [`Adams`](crate::planar::Adams).
 //!
+//! Where ground that moves clamps the root, errors of the midpoint rule alternate and do not fall with the step: angles of a rod that
+//! is held fast by ground that turns as 0.4 sin 2t (rad), and of a second one on a pin, are 9e-4 rad off after 0.6 s with steps of 10 ms and
+//! of 1.25 ms. Iterated, and in joint coordinates, the order is 2: 1.2e-4 and 1.5e-4 with steps of 10 ms.
+//!
 //! Orders in angles and forces are 1 for γ = 0.6 and 2 for all others that live, multistep rules from their first step on. Forces of
 //! Wilson's and the midpoint rule belong to another instant, [`Run::balance_time`], and are compared there.
 //!

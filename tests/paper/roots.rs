@@ -1,10 +1,11 @@
 //! Roots of the paper's scheme: loads in their joint, and hinges and bodies on ground that turns, against closed forms and order 8.
 #![cfg(feature = "std")]
 
-use catena::paper::{At, GeneralizedAlpha, JointScheme, Midpoint, Newmark, Scheme, Solver, Wilson};
+use catena::loading::Unloaded;
+use catena::paper::{At, GeneralizedAlpha, JointScheme, Midpoint, Newmark, Scheme, Slots, Solver, Wilson};
 use catena::planar::index::{M, QX, QY, THETA, X, Y};
 use catena::planar::*;
-use catena::Error;
+use catena::{Error, spatial};
 use catena_oracle::{has_order, near};
 
 const ATS: [At; 3] = [At::Previous, At::Predictor, At::Iterated];
@@ -15,6 +16,11 @@ type Law = fn(f64, usize, &JointMotion<f64>) -> f64;
 
 fn in_joints(law: Law) -> Loads<Absent, InJoints<Law>> {
     Loads::none().in_joints(law)
+}
+
+/// The ground turns by 0.4 sin 2t (rad).
+fn sway(t: f64) -> [f64; 3] {
+    [0.4 * (2.0 * t).sin(), 0.8 * (2.0 * t).cos(), -1.6 * (2.0 * t).sin()]
 }
 
 /// J = 1/12 kg·m² about the mass centre, whatever the rod does besides: θ = M t² / 2J under a torque M = 2 N·m, and
@@ -109,5 +115,78 @@ fn forces_in_joint_0_push_along_the_line_of_a_guided_root() -> Result<(), Error>
     // The mass centre lies s + ½ cos 0.2 along the line.
     let slung: Law = |_, _, motion| 2.0 - 9.0 * (motion.driven() + 0.5 * f64::cos(0.2));
     slid!("turning", System::new(Guided::on(turning, 0.2), rod, Free), slung, 0.5, place(0.25, 1.7, 0.0), true);
+    Ok(())
+}
+
+/// A rod that turns with the ground from the start goes on with it: its spring is never strained.
+#[test]
+fn springs_on_ground_that_turns_steadily_stay_unstrained() -> Result<(), Error> {
+    let ground = Clamped { place: [0.0, 0.0], attitude: Turning(|t: f64| [0.2 * t, 0.2, 0.0]) };
+    let scene = System::new(ground, (ElasticHinge::rotary(20.0), Rod::uniform(1.0, 1.0)), Free)?;
+    let start = scene.motion();
+    macro_rules! steady {
+        ($scheme:expr) => {{
+            let mut run = $scheme.start(&scene, &start, &Unloaded, 0.01)?;
+            run.run_to(1.0)?;
+            near(run.angles().next().unwrap_or(f64::NAN), 0.2, 1e-12);
+        }};
+    }
+    for (at, solver) in ATS.into_iter().flat_map(|at| SOLVERS.map(|solver| (at, solver))) {
+        steady!(Scheme::new(Midpoint).linearized(at).solved_by(solver));
+        steady!(Scheme::new(Wilson::new(1.42)).linearized(at).solved_by(solver));
+    }
+
+    let turning = spatial::Turning(|t: f64| spatial::AttitudeMotion {
+        attitude: spatial::Rotation::exp([0.0, 0.0, 0.2 * t]),
+        spin: [0.0, 0.0, 0.2],
+        acceleration: [0.0; 3],
+    });
+    let chain = (spatial::ElasticHinge::rotary([20.0; 3]), spatial::Rod::uniform(1.0, 0.2, 1.0));
+    let scene = spatial::System::new(spatial::Clamped::on([0.0; 3], turning), chain, spatial::Free)?;
+    let start = scene.motion();
+    macro_rules! steady {
+        ($scheme:expr) => {{
+            let mut run = $scheme.solved_by(Solver::Riccati).start(&scene, &start, &Unloaded, 0.01)?;
+            run.run_to(1.0)?;
+            let angles = run.attitude(0).unwrap_or([f64::NAN; 3]);
+            angles.iter().zip([0.0, 0.0, 0.2]).for_each(|(found, expected)| near(*found, expected, 1e-11));
+        }};
+    }
+    for slots in [Slots::Angles, Slots::RotationVectors] {
+        steady!(Scheme::new(Midpoint).linearized(At::Predictor).turning_by(slots));
+        steady!(Scheme::new(Wilson::new(1.42)).linearized(At::Predictor).turning_by(slots));
+    }
+    Ok(())
+}
+
+/// A rod held fast, or on a spring, by ground that sways, and a second one on a pin.
+#[test]
+fn rules_that_balance_elsewhere_have_order_two_on_ground_that_turns() -> Result<(), Error> {
+    let rod = Rod::uniform(1.0, 1.0);
+    macro_rules! order {
+        ($name:expr, $scene:expr, $scheme:expr) => {{
+            let start = $scene.motion();
+            let end = $scene.simulate(start.clone(), Dop853::tolerance(1e-12), 0.6, |_| ())?.motion;
+            let exact = $scene.angles(&end)?;
+            let mut errors = vec![];
+            for dt in STEPS {
+                let mut run = $scheme.start(&$scene, &start, &Unloaded, dt)?;
+                run.run_to(0.6)?;
+                let error = run.angles().zip(exact.iter()).fold(0.0_f64, |worst, (a, b)| worst.max((a - b).abs()));
+                errors.push((dt, error));
+            }
+            has_order($name, 2.0, 1e-11, &errors);
+        }};
+    }
+    let ground = Clamped { place: [0.0, 0.0], attitude: Turning(sway as fn(f64) -> [f64; 3]) };
+    let fast = System::new(ground, (rod, Pin, rod), Free)?.with_gravity(9.81);
+    let sprung = System::new(ground, (ElasticHinge::rotary(20.0).damped(0.3), rod, Pin, rod), Free)?.with_gravity(9.81);
+    order!("held fast, midpoint, joint coordinates", fast, JointScheme::new(Midpoint));
+    order!("held fast, Wilson, joint coordinates", fast, JointScheme::new(Wilson::new(1.42)));
+    order!("sprung, midpoint, joint coordinates", sprung, JointScheme::new(Midpoint));
+    let riccati = Scheme::new(Wilson::new(1.42)).solved_by(Solver::Riccati).linearized(At::Predictor);
+    order!("sprung, Wilson, Riccati", sprung, riccati);
+    let iterated = Scheme::new(Midpoint).solved_by(Solver::Riccati).linearized(At::Iterated);
+    order!("sprung, midpoint, Riccati, iterated", sprung, iterated);
     Ok(())
 }

@@ -266,6 +266,7 @@ where
         let (rule, dt) = (self.scheme.rule, self.dt);
         let root = self.root;
         let ground = self.scene.ground(self.time() + dt);
+        let ahead = ground.turn.angle - before.turn.angle;
         let (mut first, mut clamped) = (true, S::HELD);
         let Parts { order, bodies, joints, .. } = &mut self.parts;
         for part in order {
@@ -279,6 +280,10 @@ where
             let last = body.angles[0].value;
             rule.advance(&mut body.angles[0], dt, body.found[0]);
             if rule.balance() != 1.0 {
+                if clamped {
+                    // What the ground holds ends with it, not where the rule leads from the instant of balance.
+                    body.angles[0].value = last + ahead;
+                }
                 body.found[0] = body.angles[0].value - last;
             }
             if clamped {
@@ -292,7 +297,6 @@ where
             }
             first = false;
         }
-        let ahead = ground.turn.angle - before.turn.angle;
         for k in 0..self.parts.joints.len() {
             let joint = &self.parts.joints[k];
             let strain = self.found(Some(joint.outer), ahead) - self.found(joint.inner(), ahead);

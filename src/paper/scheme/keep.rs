@@ -19,7 +19,7 @@ where
 {
     /// Step 7, in one walk: a body goes on once the stations that read its past are kept.
     pub(super) fn commit(&mut self, grounds: Grounds<T, S::Orient, N, P, A>) {
-        let turned = self.ground_turned(grounds);
+        let turned = self.ground_turned(grounds[0]);
         let (mut behind, mut joint) = (None, 0);
         for k in 0..=self.parts.len() {
             self.keep_station(k, grounds);
@@ -120,10 +120,10 @@ where
         }
     }
 
-    /// By how much the ground turned since t_{i−1}, where angles say it.
-    fn ground_turned(&self, [before, now]: Grounds<T, S::Orient, N, P, A>) -> [T; A] {
+    /// By how much the ground turns in the step, where angles say it: to t_i, as bodies that have gone on did, wherever forces balance.
+    fn ground_turned(&self, before: &<S::Orient as Joints<T, P, A>>::Frame) -> [T; A] {
         let past = S::Orient::angles(before, &[T::zero(); A]);
-        let angles = S::Orient::angles(now, &past);
+        let angles = S::Orient::angles(&self.scene.ground(self.time() + self.dt), &past);
         core::array::from_fn(|i| angles[i] - past[i])
     }
 
