@@ -88,6 +88,8 @@ pub trait Bodies<T: Scalar, const N: usize, const P: usize, const A: usize> {
         given: &Given<T, P, A>,
         external: &Self::External,
     ) -> TransferMatrix<T, N>;
+    /// Whether force and torque on a body are finite.
+    fn is_finite(external: &Self::External) -> bool;
     /// A body near where it will be, for loads to be read there.
     fn motion(&self, rigid: &Self::Rigid, place: [T; P], velocity: [T; P], turn: [[T; 2]; A]) -> Self::Motion;
 }

@@ -102,6 +102,9 @@ impl<T: Scalar> Bodies<T, 7, 2, 1> for Expansion<T> {
         let Given { inboard, centre, angles: [angle], arms: [to_centre, to_outboard], .. } = *given;
         rigid_body(rigid, self, step.chi1, &Known { inboard, centre, angle, to_outboard, to_centre }, external)
     }
+    fn is_finite(external: &External<T>) -> bool {
+        external.torque.is_finite() && external.force.iter().all(|x| x.is_finite())
+    }
     fn motion(&self, rigid: &Rigid<T>, place: [T; 2], velocity: [T; 2], [[angle, rate]]: [[T; 2]; 1]) -> BodyMotion<T> {
         let still = Frame::resting(Vector2::from(place));
         let frame = Frame { velocity: Vector2::from(velocity), turn: Turn { angle, rate }, ..still };

@@ -2,10 +2,12 @@
 #![cfg(feature = "std")]
 
 use catena::loading::Unloaded;
-use catena::paper::{GeneralizedAlpha, JointScheme, Newmark, Scheme, Solver};
+use catena::paper::{At, GeneralizedAlpha, JointScheme, Newmark, Scheme, Solver};
 use catena::planar::index::{THETA, X, Y};
-use catena::planar::{BodyMotion, Branch, Clamped, Free, Loads, Pin, Pinned, PointMass, Rod, Slider, System, Weld};
-use catena::{Error, Fault, Place};
+use catena::planar::{
+    BodyMotion, Branch, Clamped, Free, JointMotion, Loads, Pin, Pinned, PointMass, Rod, Slider, System, Weld,
+};
+use catena::{Error, Fault, Place, spatial};
 
 /// (40) of a pin next to a clamped tip would have to know the torque there.
 #[test]
@@ -74,8 +76,57 @@ fn runs_say_what_is_wrong() -> Result<(), Error> {
     run.run_to(0.02)?;
     let before: Vec<f64> = run.angles().collect();
     let error = run.step().unwrap_err();
-    assert_eq!((error.fault, error.time), (Fault::NonFiniteMotion, Some(0.03)));
+    assert_eq!((error.fault, error.time), (Fault::NonFiniteLoad, Some(0.03)));
     assert!(run.time() == 0.02 && run.angles().eq(before));
+    Ok(())
+}
+
+/// As other rules have it: a load that is not finite is said to be one, with its station, whatever it broke first.
+#[test]
+fn loads_that_are_not_finite_are_named() -> Result<(), Error> {
+    let rod = Rod::uniform(1.0, 1.0);
+    let scene = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
+    let start = scene.at_rest(&[-1.0, -0.5])?;
+    macro_rules! named {
+        ($loads:expr, $place:expr) => {{
+            let loads = $loads;
+            let mut found = vec![];
+            for at in [At::Previous, At::Predictor, At::Iterated] {
+                let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).linearized(at);
+                found.push(scheme.start(&scene, &start, &loads, 0.01)?.run_to(0.1).unwrap_err());
+                found.push(
+                    scheme.solved_by(Solver::Riccati).start(&scene, &start, &loads, 0.01)?.run_to(0.1).unwrap_err(),
+                );
+            }
+            let joints = JointScheme::new(GeneralizedAlpha::new(0.8));
+            found.push(joints.start(&scene, &start, &loads, 0.01)?.run_to(0.1).unwrap_err());
+            found.push(joints.with_sweeps(1).start(&scene, &start, &loads, 0.01)?.run_to(0.1).unwrap_err());
+            let rule = catena::planar::GeneralizedAlpha::new(0.8).step(0.01);
+            found.push(scene.simulation(rule).loads(&loads).run(start.clone(), 0.1, |_| ()).unwrap_err().error);
+            for error in found {
+                println!("{error}");
+                assert_eq!((error.fault, error.place), (Fault::NonFiniteLoad, Some($place)));
+                assert!(error.time.is_some_and(|time| (time - 0.06).abs() < 1e-12), "{error}");
+            }
+        }};
+    }
+    let late = |t: f64, hit: bool| if hit && t > 0.055 { f64::NAN } else { 0.0 };
+    let torque = |which: usize| Loads::none().in_joints(move |t, k, _: &JointMotion<f64>| late(t, k == which));
+    named!(torque(0), Place::Root);
+    named!(torque(1), Place::Station(1));
+    let force =
+        Loads::none().on_bodies(|t, k, motion: &BodyMotion<f64>| motion.force_at([0.0; 2], [0.0, late(t, k == 1)]));
+    named!(force, Place::Station(2));
+
+    let rod = spatial::Rod::uniform(1.0, 0.1, 1.0);
+    let scene = spatial::System::new(spatial::Pinned::origin(), (rod, spatial::Ball, rod), spatial::Free)?;
+    let loads = Loads::none()
+        .on_bodies(|t, k, motion: &spatial::BodyMotion<f64>| motion.force_at([0.0; 3], [0.0, late(t, k == 1), 0.0]));
+    for solver in [Solver::Product, Solver::Riccati] {
+        let scheme = Scheme::new(GeneralizedAlpha::new(0.8)).solved_by(solver);
+        let error = scheme.start(&scene, &scene.motion(), &loads, 0.01)?.run_to(0.1).unwrap_err();
+        assert_eq!((error.fault, error.place), (Fault::NonFiniteLoad, Some(Place::Station(2))));
+    }
     Ok(())
 }
 

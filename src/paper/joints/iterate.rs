@@ -7,10 +7,12 @@ use crate::mechanics::planar::{Frame, Turn};
 use crate::paper::expansion::Expansion;
 use crate::paper::hinge::Rotary;
 use crate::paper::link::{End, Link};
+use crate::paper::orient::Bodies;
 use crate::paper::parts::Part;
 use crate::paper::riccati::BLOCK;
 use crate::paper::rule::Rule;
 use crate::paper::scene::Scene;
+use crate::paper::scheme::non_finite_load;
 use crate::scalar::Scalar;
 use crate::state::StateVector;
 use num_traits::Zero;
@@ -91,6 +93,29 @@ where
             end = first;
         }
         Ok(())
+    }
+
+    /// Why a step failed: the outermost load that is not finite at the iterate; where there is none, the error as it was.
+    #[cold]
+    pub(super) fn failed(&self, error: Error, time: T::Real, ground: &Frame<T>) -> Error {
+        let finite = self.motions.iter().all(|motion| {
+            let Frame { place, velocity, turn, .. } = motion.inboard;
+            [place.x, place.y, velocity.x, velocity.y, turn.angle, turn.rate].iter().all(|x| x.is_finite())
+        });
+        if !finite {
+            return error; // such a motion breaks loads that are sound
+        }
+        let broken = |part: &Part| match *part {
+            Part::Body(number) => self.motions.get(number).is_some_and(|motion| {
+                let external = self.scene.external(self.loads, time, number, motion);
+                !<Expansion<T> as Bodies<T, 7, 2, 1>>::is_finite(&external)
+            }),
+            Part::Joint(number) => self.parts.joints.get(number).is_some_and(|joint| {
+                let sides = [joint.inner(), Some(joint.outer)].map(|k| k.and_then(|k| self.motions.get(k)));
+                joint.turns && !self.scene.effort(self.loads, time, number, sides, ground, None)[0].is_finite()
+            }),
+        };
+        non_finite_load(&self.parts.order, broken).unwrap_or(error)
     }
 
     /// Writes part `k`, given m and q at its outboard end, as a link of the block; gives m and q at its inboard end.

@@ -169,7 +169,8 @@ where
     /// One step.
     ///
     /// # Errors
-    /// [`Fault::SingularJoint`] with the station, [`Fault::NotConverged`], [`Fault::NonFiniteMotion`]; the run then stands where it stood.
+    /// [`Fault::NonFiniteLoad`] where a load is; else [`Fault::SingularJoint`] with the station, [`Fault::NotConverged`],
+    /// [`Fault::NonFiniteMotion`]. The run then stands where it stood.
     pub fn step(&mut self) -> Result<(), Error> {
         let span = T::Real::of(self.scheme.rule.balance()) * self.dt;
         let (past, time) = (self.time(), self.time() + span);
@@ -197,7 +198,7 @@ where
             };
             if let Some(error) = refused {
                 self.root = root;
-                return Err(at_time(error));
+                return Err(at_time(self.failed(error, time, &ground)));
             }
         }
         self.travel(&ground);

@@ -1,10 +1,12 @@
 //! The eight steps of section 4: the paper's scheme, in the plane and in space, and how its runs start.
 
 mod ends;
+mod failed;
 mod form;
 mod keep;
 mod run;
 
+pub(super) use failed::non_finite_load;
 pub use run::Run;
 
 use crate::error::{Error, Fault};

@@ -96,8 +96,9 @@ where
     /// Steps 3 to 8.
     ///
     /// # Errors
-    /// [`Fault::CentreOfPercussion`], [`Fault::SingularAngles`] or [`Fault::SingularJoint`] with the station, [`Fault::NotConverged`],
-    /// [`Fault::NonFiniteMotion`] where a run breaks down; the run then stands where it stood.
+    /// [`Fault::NonFiniteLoad`] where a load is; else [`Fault::CentreOfPercussion`], [`Fault::SingularAngles`] or [`Fault::SingularJoint`]
+    /// with the station, [`Fault::SingularTransfer`] with the end whose equations have no solution, [`Fault::NotConverged`], and
+    /// [`Fault::NonFiniteMotion`] where a run breaks down. The run then stands where it stood.
     pub fn step(&mut self) -> Result<(), Error> {
         let span = T::Real::of(self.scheme.rule.balance()) * self.dt;
         let (past, time) = (self.time(), self.time() + span);
@@ -106,7 +107,7 @@ where
         let grounds = [&before, &now];
         let mut holds = false;
         for sweep in 0.. {
-            self.solve(sweep, span, time, grounds).map_err(at_time)?;
+            self.solve(sweep, span, time, grounds).map_err(|error| at_time(self.failed(error, span, time, &now)))?;
             self.sweeps += 1;
             // A last sweep, once the equations hold, brings derivatives as far as values.
             if self.scheme.at != At::Iterated || holds {

@@ -227,6 +227,9 @@ impl<T: Scalar> Bodies<T, 13, 3, 3> for Slot<T> {
         let shape = Shape { psi: Self::arms(solid).map(|arm| self.psi(arm)), barred: *self.barred(), gyration };
         shape.matrix(rigid, step.chi1, given, external)
     }
+    fn is_finite(external: &External<T>) -> bool {
+        external.force.iter().chain(&external.torque).all(|x| x.is_finite())
+    }
     fn motion(&self, solid: &Solid<T>, place: Vector<T>, velocity: Vector<T>, turn: [[T; 2]; 3]) -> BodyMotion<T> {
         let barred = self.barred();
         let spin = match self {
