@@ -132,7 +132,8 @@
 //! push along inertial axes and hand on m as it is, as (33) to (35) have it:
 //! [`in_unbalanced_axes`](crate::planar::ElasticHinge::in_unbalanced_axes). Refused, with the place, are linear springs whose force has a
 //! moment, and with them all of space's, laws that are not linear, joints that slide, joints about axes in space but at the ends, joints next to
-//! ends that hold an attitude, and chains that branch. [`JointScheme`] runs
+//! ends that hold an attitude, and chains that branch; by the product also pins and balls where the tip holds an attitude, and linear springs
+//! that leave an axis free. [`JointScheme`] runs
 //! chains in the plane with free tips, without linear springs.
 
 mod body;

@@ -107,6 +107,13 @@ impl<T: Scalar, R, const A: usize> Joint<T, R, A> {
 }
 
 impl<T: Scalar, M, const P: usize> Springs<T, M, P> {
+    /// Whether nothing pushes along one of the axes.
+    pub fn leave_free(&self) -> bool {
+        let none = |x: T| x.real() == T::Real::zero();
+        let Spring { stiffness, damping, .. } = &self.law;
+        stiffness.iter().zip(damping).any(|(stiffness, damping)| none(*stiffness) && none(*damping))
+    }
+
     /// (33) with (2), axis by axis.
     pub fn law(&self, absolute: bool, chi: impl Fn(&Coordinate<T, M>) -> Linearization<T>) -> [Linear<T>; P] {
         let Spring { stiffness, damping, preload } = &self.law;

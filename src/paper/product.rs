@@ -5,6 +5,8 @@
 
 use super::hinge::Linear;
 use super::link::{End, Law, Link, conjugate};
+use super::orient::Orient;
+use super::parts::{Part, Parts, Springs};
 use crate::error::{Error, Fault, Place};
 use crate::scalar::Scalar;
 use crate::state::{StateVector, TransferMatrix};
@@ -29,11 +31,43 @@ pub trait Hinges<T: Scalar, const N: usize, const P: usize, const A: usize> {
     ) -> Result<TransferMatrix<T, N>, Error>;
 }
 
+/// Refuses what has no matrix, whatever the step: (40) of a joint next to a tip whose attitude is held would have to know the torque there,
+/// (35) needs something that pushes along each axis.
+///
+/// # Errors
+/// [`Fault::Unsupported`] with the station of the outermost such joint.
+pub fn check<T, M, E, const N: usize, const H: usize, const P: usize, const A: usize>(
+    parts: &Parts<T, M, E, N, P, A>,
+    tip: &End<T, H>,
+) -> Result<(), Error>
+where
+    T: Scalar,
+    M: Copy,
+    E: Orient<T, N, P, A>,
+{
+    let turned = |axis: &[T; H]| axis[P..].iter().any(|x| x.real() != T::Real::zero());
+    let clamped = tip.axes.iter().zip(tip.held).any(|(axis, held)| held && turned(axis));
+    for (k, part) in parts.order.iter().enumerate().skip(1).rev() {
+        let Part::Joint(number) = *part else { continue };
+        let Some(joint) = parts.joints.get(number) else { continue };
+        let springs = joint.springs.and_then(|springs| parts.springs.get(springs));
+        let what = if clamped && joint.turns && joint.is_smooth() {
+            "a smooth joint next to a tip that is clamped, by the product: solve by Riccati"
+        } else if springs.is_some_and(Springs::leave_free) {
+            "an axis along which nothing pushes, by the product: solve by Riccati"
+        } else {
+            continue;
+        };
+        return Err(Error::new(Fault::Unsupported { what }).at_station(k - 1));
+    }
+    Ok(())
+}
+
 /// Solves a chain by the product of its matrices, which it leaves in `matrices` (that of the root's joint is left out); writes the
 /// states of all stations, the inboard ends of all links and the tip.
 ///
 /// # Errors
-/// [`Fault::CentreOfPercussion`] at a pin or ball that has no matrix; [`Fault::Unsupported`] at a tip whose torque (40) would need to know;
+/// [`Fault::CentreOfPercussion`] at a pin or ball that has no matrix; [`Fault::SingularTransfer`] where the ends leave something open;
 /// [`Fault::NonFiniteMotion`].
 pub fn solve<X, T, const N: usize, const H: usize, const P: usize, const A: usize>(
     links: &[Link<T, N, P, A>],
@@ -50,7 +84,7 @@ where
     // (17), from the tip inward; the section is the product up to the next pin outboard, sections 3.4.1 to 3.4.3.
     let (mut whole, mut section) = (identity, identity);
     let (mut inertia, mut outer_torque) = (T::Real::zero(), [zero; A]);
-    let (mut bodies, mut percussive, mut ends) = (0, false, false);
+    let (mut bodies, mut percussive) = (0, false);
     for (k, link) in links.iter().enumerate().skip(1).rev() {
         let matrix = match link {
             Link::Body { matrix, inertia: own, percussive: alone } => {
@@ -61,16 +95,6 @@ where
             }
             Link::Turning { law, smooth: false } | Link::Parting { law, smooth: false, .. } => X::elastic(law),
             Link::Turning { law, smooth: true } | Link::Parting { law, smooth: true, .. } => {
-                let clamped = tip
-                    .axes
-                    .iter()
-                    .zip(tip.held)
-                    .any(|(axis, held)| held && axis[P..].iter().any(|x| x.real() != T::Real::zero()));
-                if clamped && !ends {
-                    let what = "a smooth joint next to a tip that is clamped, by the product: solve by Riccati";
-                    return Err(Error::new(Fault::Unsupported { what }).at_station(k - 1));
-                }
-                ends = true;
                 let singular = Error::new(Fault::CentreOfPercussion);
                 let pin = if bodies == 1 && percussive {
                     Err(singular)
@@ -100,10 +124,6 @@ where
             section = matrix.then(&section);
         }
         if let Link::Parting { linear, .. } = link {
-            if linear.iter().any(|axis| axis.slope.real() == T::Real::zero()) {
-                let what = "an axis along which nothing pushes, by the product: solve by Riccati";
-                return Err(Error::new(Fault::Unsupported { what }).at_station(k - 1));
-            }
             let sprung = X::sprung(linear);
             (matrix, section) = (sprung.then(&matrix), sprung.then(&section));
         }

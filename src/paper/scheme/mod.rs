@@ -12,6 +12,7 @@ pub use run::Run;
 use crate::error::{Error, Fault};
 use crate::paper::expansion::At;
 use crate::paper::parts::Parts;
+use crate::paper::product;
 use crate::paper::riccati::{BLOCK, Room};
 use crate::paper::rule::Rule;
 use crate::paper::scene::{Chain, Scene, Slots};
@@ -96,6 +97,9 @@ impl<D> Scheme<D> {
         positive_step(dt)?;
         let Chain { time, items, guide } = scene.chain(motion, loads, self.slots)?;
         let parts = Parts::new(&self.rule, dt, &items);
+        if self.solver == Solver::Product {
+            product::check(&parts, &scene.tip(time, None))?;
+        }
         let blank = StateVector::new([T::zero(); N]);
         let n = parts.len();
         Ok(Run {
