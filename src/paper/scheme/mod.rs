@@ -80,7 +80,8 @@ impl<D> Scheme<D> {
     ///
     /// # Errors
     /// What is wrong with the rule or the step; what [`System::with_accelerations`](crate::system::System::with_accelerations)
-    /// refuses, for a run starts from the accelerations of its motion; [`Fault::Unsupported`] for what the paper cannot say.
+    /// refuses, for a run starts from the accelerations of its motion; [`Fault::Unsupported`] for what the paper, or the
+    /// [solver](Solver), cannot say.
     pub fn start<'a, T, S, L, const N: usize, const H: usize, const P: usize, const A: usize>(
         self,
         scene: &'a S,
