@@ -1,4 +1,4 @@
-//! What pulls a scene towards rest, and steps that follow it: K δ = M a, and downhill (|K| + μ D) δ = M a.
+//! What pulls a scene towards rest, and steps that follow it: K δ = M a, and downhill max(|K|, μ D) δ = M a.
 
 use super::linear::{Linear, differenced};
 use super::principal::Principal;
@@ -79,7 +79,7 @@ impl<T: Scalar> Fall<T> {
         Principal::of(&self.symmetric, &self.metric)
     }
 
-    /// The step with this damping μ downhill.
+    /// The step downhill, no longer along any direction than a stiffness μ would let it.
     pub(super) fn damped(&self, principal: &Principal<T::Real>, damping: T::Real) -> Option<Step<T>> {
         self.step(&principal.step(&self.force, damping))
     }

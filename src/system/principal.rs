@@ -34,11 +34,11 @@ impl<R: Real> Principal<R> {
         Some(Self { directions, stiffness: eigen.eigenvalues.iter().map(|x| R::of(*x)).collect() })
     }
 
-    /// The step (|K| + μ D)⁻¹ f: downhill along each direction, also where stiffness drives on.
+    /// The step max(|K|, μ D)⁻¹ f, direction by direction: downhill also where stiffness drives on.
     pub(super) fn step<T: Scalar<Real = R>>(&self, force: &[T], damping: R) -> Vec<T> {
         let mut along = self.directions.apply(force);
         for (x, stiffness) in along.iter_mut().zip(&self.stiffness) {
-            *x = x.scale((stiffness.abs() + damping).recip());
+            *x = x.scale(stiffness.abs().max(damping).recip());
         }
         self.directions.transposed().apply(&along)
     }

@@ -1,10 +1,11 @@
-//! Ropes of many links between two points, with a payload, from a guess far off: each link lies along the force that it carries.
+//! Ropes and cables of many links between two points, from guesses far off.
 
 use catena::Error;
-use catena::planar::*;
 
+/// Each link lies along the force that it carries.
 #[test]
 fn a_held_rope_with_a_payload_is_found_from_a_bent_guess() -> Result<(), Error> {
+    use catena::planar::*;
     let (n, loaded) = (100, 59);
     let length = 1.5 / n as f64;
     let link = Rod::uniform(length, 0.4 * length);
@@ -23,6 +24,26 @@ fn a_held_rope_with_a_payload_is_found_from_a_bent_guess() -> Result<(), Error> 
         let weight = (k as f64 + 0.5) * 0.4 * length * 9.81;
         let [x, y] = [held.x + beyond[0], held.y - weight + beyond[1]];
         assert!((angle.sin() * x - angle.cos() * y).abs() < 1e-11 * x.hypot(y), "link {k}");
+    }
+    Ok(())
+}
+
+/// A cable in space whose links stretch, pressed together between its ends where it begins: they bear half of its weight each when it hangs.
+#[test]
+fn a_cable_that_stretches_hangs() -> Result<(), Error> {
+    use catena::spatial::*;
+    for n in [10, 20] {
+        let length = 1.5 / n as f64;
+        let half = Rod::uniform(0.5 * length, 0.005, 0.2 * length);
+        let stretch = Prismatic::along([1.0, 0.0, 0.0]).with(Spring::new(1e5));
+        let links = vec![(Ball, half, stretch, half); n - 1];
+        let cable = System::new(Pinned::origin(), (half, stretch, half, links), Pinned::at([1.0, 0.0, 0.0]))?;
+        let cable = cable.with_gravity([0.0, 0.0, -9.81]);
+        let rest = cable.equilibrium(cable.assembled(cable.motion(), &Unloaded)?, &Unloaded)?;
+        let [along, across, up] = rest.multipliers()[..] else { unreachable!() };
+        println!("{n} links: {along} {across} {up}");
+        assert!((up - 0.5 * 0.6 * 9.81).abs() < 1e-10 && across.abs() < 1e-10, "{up} {across}");
+        assert!(along.abs() < 2.0, "it hangs through: {along}");
     }
     Ok(())
 }
