@@ -7,6 +7,8 @@ use crate::scalar::{Real, Scalar};
 use alloc::vec;
 use alloc::vec::Vec;
 pub(crate) use tangent::Tangent;
+#[cfg(feature = "std")]
+pub(crate) use tangent::dependent;
 
 /// A matrix, row by row.
 #[derive(Clone, Debug)]

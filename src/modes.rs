@@ -80,8 +80,8 @@ impl<T: Scalar> Mode<T> {
         self.square
     }
 
-    /// ω² (rad²/s²) with its first derivatives, in the scene's kind of number. Of modes that have one frequency, which may part, they are those along
-    /// the shapes given.
+    /// ω² (rad²/s²) with its first derivatives, in the scene's kind of number; parts of higher order are not those of ω². Of modes that have one
+    /// frequency, which may part, they are those along the shapes given.
     ///
     /// ```
     /// use catena::loading::Unloaded;
@@ -223,6 +223,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if size_of::<S::Scalar>() > size_of::<RealOf<S>>() {
             let shapes: Vec<&[f64]> = modes.iter().map(|mode: &Mode<_>| mode.shape()).collect();
             let squares = self.squares(&still, &shapes, near.tangent.is_redundant(), loads);
+            let squares = squares.map_err(|error| error.at_time(rest.time.as_f64()))?;
             modes.iter_mut().zip(squares).for_each(|(mode, square)| {
                 mode.differentiated += square - S::Scalar::constant(square.real());
             });

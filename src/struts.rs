@@ -255,7 +255,7 @@ where
         const {
             assert!(
                 matches!(L::YIELDS, Yields::Never),
-                "beside struts loads do not yield: take contacts as `plain` ones"
+                "beside struts loads do not yield: take contacts as `plain` ones, and struts that are stiff in one list, last: `struts.and(loads).stiff()`"
             )
         }
         const { assert!(!L::COUPLED, "couplings stand before struts: `couplings.and(struts)`") }

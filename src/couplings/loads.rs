@@ -3,7 +3,7 @@
 use super::{Couplings, Tie, unit};
 use crate::element::{Level, Loading, RealOf};
 use crate::error::Fault;
-use crate::loading::{EffortOf, missed_beyond};
+use crate::loading::{EffortOf, LARGER, missed_beyond};
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
@@ -12,10 +12,6 @@ use num_traits::{One, Zero};
 
 /// By so many roundings followers may miss their leaders where a motion is closed.
 const ROUNDINGS: f64 = 8.0;
-
-/// So much larger than those expected are forces whose responses are found: what differences lose is a rounding of what moves without, for
-/// each share that is taken of a response, so that larger ones lose nothing, and smaller ones all that stiff springs hold back.
-const LARGER: f64 = 4096.0;
 
 /// What sweeps answer without couplings, and to the force of each.
 struct Answers<T: Scalar, V, const K: usize> {

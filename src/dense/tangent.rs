@@ -7,6 +7,11 @@ use alloc::vec::Vec;
 
 /// How much of a row must be left, as a share of what it was, where it is a condition of its own.
 const OWN: f64 = 1e-7;
+/// How much of a condition must be its own, as a share of it: [`OWN`], or what a number's kind rounds by.
+pub(crate) fn dependent<R: Real>() -> R {
+    R::of(OWN).max(R::EPSILON.sqrt())
+}
+
 /// Rows shorter than so many roundings of the longest are rounding.
 const ROUNDINGS: f64 = 1e3;
 
@@ -25,7 +30,7 @@ impl<R: Real> Tangent<R> {
     pub fn of(freedoms: usize, rows: Vec<Vec<R>>) -> Self {
         let mut tangent = Self { freedoms, redundant: false, normals: vec![] };
         let conditions = rows.len();
-        let own = R::of(OWN).max(R::EPSILON.sqrt());
+        let own = dependent::<R>();
         let longest = rows.iter().fold(R::zero(), |most, row| most.max(length(row)));
         let mut waiting: Vec<(R, Vec<R>)> = rows.into_iter().map(|row| (length(&row), row)).collect();
         // Linkages of the plane are held across it by conditions that say nothing, but for rounding.

@@ -67,7 +67,7 @@ impl fmt::Display for Fault {
                 write!(f, "there is no body {body}: the scene has {bodies}, from 0 on")
             }
             Fault::NoSuchJoint { joint, joints } => {
-                write!(f, "there is no joint {joint} in lists: they have {joints}, from 0 at the first beyond the base")
+                write!(f, "there is no joint {joint}: there are {joints}, from 0 on")
             }
             Fault::NoSuchName { what, name } => write!(f, "there is no {what} named {name}"),
             Fault::AmbiguousName { what, name, count } => {

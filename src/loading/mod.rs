@@ -6,6 +6,10 @@ mod loads;
 pub use laws::{Function, InJoints, LoadLaw, OnBodies, OverTime, Seen, SeriesLaw, TimeLaw, Values};
 pub use loads::Loads;
 
+/// So much larger than those expected are forces whose responses are found: what differences lose is a rounding of what moves without, for
+/// each share that is taken of a response, so that larger ones lose nothing, and smaller ones all that stiff springs hold back.
+pub(crate) const LARGER: f64 = 4096.0;
+
 /// What acts in a joint of a space.
 pub type EffortOf<S> = <<S as Space>::JointMotion as Seen>::Load;
 

@@ -1,15 +1,15 @@
 //! Derivatives of squared frequencies: ω² = −(φᵀ M a′) / (φᵀ M φ), with a′ the change of accelerations along a shape φ.
 
-use crate::element::{Element, Loading};
+use crate::dense::dependent;
+use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
+use crate::error::{Error, Fault};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Inertial, MotionOf, RateOf, Runs, StiffDynamics, System, set};
-use nalgebra::DMatrix;
+use crate::system::{Inertial, MotionOf, RateOf, Runs, StiffDynamics, System, numbers, set};
+use nalgebra::{DMatrix, SVD};
+use num_traits::{One, Zero};
 use std::vec::Vec;
-
-/// Singular values below this share of the largest are those of conditions that follow from others.
-const DEPENDENT: f64 = 1e-9;
 
 impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// Squares of frequencies with the first derivatives of a scene's numbers, by their shapes, which need none: the quotient is stationary there, as
@@ -20,7 +20,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         shapes: &[&[f64]],
         narrow: bool,
         loads: &L,
-    ) -> Vec<S::Scalar>
+    ) -> Result<Vec<S::Scalar>, Error>
     where
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
@@ -33,8 +33,10 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         } else {
             let list: Vec<f64> = rows.iter().flatten().map(|x| x.as_f64()).collect();
             let held = DMatrix::from_row_slice(rows.len(), list.len() / rows.len(), &list);
-            let least = DEPENDENT * held.amax();
-            held.pseudo_inverse(least).unwrap_or_default()
+            let least = dependent::<RealOf<S>>().as_f64() * held.norm();
+            let rounds = 1000 * held.nrows().max(held.ncols());
+            let parts = SVD::try_new(held, true, true, f64::EPSILON, rounds);
+            parts.and_then(|parts| parts.pseudo_inverse(least).ok()).ok_or(Error::new(Fault::NonFiniteMotion))?
         };
         let missed = self.missed(still, loads);
         let of_shape = |shape: &&[f64]| {
@@ -52,12 +54,17 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             });
             let [mut change, springs] = self.changes(still, &moving.rate, narrow, loads, &mut workspace);
             change.iter_mut().zip(springs).for_each(|(sum, more)| *sum += more);
+            // As large as the shape, for what pairs them loses what one exceeds the other by.
+            let largest =
+                |list: &[S::Scalar]| list.iter().fold(RealOf::<S>::zero(), |most, x| most.max(x.real().abs()));
+            let size = largest(&change) / largest(&numbers(&moving.rate));
+            let size = if size > RealOf::<S>::zero() { size } else { RealOf::<S>::one() };
             let mut pulled = moving.rate.clone();
-            set(&mut pulled, change);
+            set(&mut pulled, change.into_iter().map(|x| x.scale(size.recip())));
             let [along, of_rate] = [&pulled, &moving.rate].map(|other| self.paired(still, &moving.rate, other));
-            -along * of_rate.recip()
+            -along.scale(size) * of_rate.recip()
         };
-        shapes.iter().map(of_shape).collect()
+        Ok(shapes.iter().map(of_shape).collect())
     }
 
     /// vᵀ M w, by the kinetic energies of v, w and their sum, without what the ground has of them.

@@ -4,15 +4,12 @@ use super::{Points, Strut, Struts, dot, is_absent, norm};
 use crate::element::{Loading, RealOf};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::loading::Yields;
+use crate::loading::{LARGER, Yields};
 use crate::mirror::Rate;
 use crate::relation::WrenchOf;
 use crate::scalar::{Real, Scalar};
 use nalgebra::SVector;
 use num_traits::{One, Zero};
-
-/// So much larger than those expected are forces whose responses are found: what differences of sweeps lose is a rounding of what moves without.
-const LARGER: f64 = 4096.0;
 
 /// [`Struts`] that may be as stiff as they like under implicit rules: made by [`Struts::stiff`].
 ///
@@ -21,7 +18,7 @@ const LARGER: f64 = 4096.0;
 /// use for a few struts that are stiff, as suspensions and buffers are. [`GeneralizedAlpha`](crate::planar::GeneralizedAlpha) keeps its order at
 /// any stiffness; [`Sdirk4`](crate::planar::Sdirk4) has order 4 where steps resolve the vibration, and falls to order 1 in rates where they are far
 /// longer and the strut turns, for its stages lie on no common curve. Explicit rules, equilibria, modes and readings are those of [`Struts`].
-/// Gradients backward take [`Struts`], [`Couplings`](crate::planar::Couplings) stand beside those alone.
+/// Counts of sweeps count them as one. Loads beside them are `Copy`: torques in arrays, not in vectors. Gradients backward take [`Struts`], [`Couplings`](crate::planar::Couplings) stand beside those alone.
 ///
 /// ```
 /// use catena::planar::*;
@@ -90,8 +87,8 @@ fn yielding<T: Scalar, const D: usize>(
     // The reflection that takes the first axis to the strut, or against it: not where both nearly agree.
     let lead = direction[0].if_negative(-T::one(), T::one());
     let normal = direction + unit(0) * lead;
-    let twice = (T::one() + direction[0] * lead).recip();
-    let axes = core::array::from_fn(|k| unit(k) - normal * (normal[k] * twice));
+    let share = (T::one() + direction[0] * lead).recip();
+    let axes = core::array::from_fn(|k| unit(k) - normal * (normal[k] * share));
     // A strut that pulls is drawn back across, too; one that pushes would drive further.
     let across = stiffness - stiffness * length * far.recip();
     let across = pivot(across.if_negative(T::zero(), across), T::zero());
@@ -125,7 +122,7 @@ fn solved<T: Scalar, const D: usize, const N: usize>(
 impl<S, L, const D: usize, const N: usize> Loading<S> for StiffStruts<S::Scalar, D, N, L>
 where
     S: Points<D>,
-    L: Loading<S> + Clone,
+    L: Loading<S> + Copy,
 {
     type OnBody = WrenchOf<S>;
     type InJoint = L::InJoint;
@@ -179,7 +176,7 @@ where
         };
         let start = read.0.forces;
         let mut swept = |forces, again, acceleration: &mut V| {
-            sweep(&Self { given: Some(forces), ..self.clone() }, again, acceleration);
+            sweep(&Self { given: Some(forces), ..*self }, again, acceleration);
         };
         swept(start, false, acceleration);
         let first = parting(acceleration);

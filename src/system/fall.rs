@@ -9,6 +9,8 @@ use num_traits::{One, Zero};
 
 /// Steps longer than this many of the longest are no good even for their direction.
 const FAR: f64 = 40.0;
+/// As a power of ε, the share of stiffness that may be rounding: 4e-10 of `f64`, 7e-5 of `f32`.
+pub(super) const ROUNDED: f64 = 0.6;
 
 /// What pulls a scene towards rest, in the directions that its closures leave open.
 pub(super) struct Fall<T: Scalar> {
@@ -32,8 +34,6 @@ pub(super) struct Step<T: Scalar> {
     pub(super) size: T::Real,
     /// All displacements together (rad, m): no body turns further, however many joints turn it.
     pub(super) way: T::Real,
-    /// Work that the forces at the step's start do on it (J).
-    work: T::Real,
 }
 
 impl<T: Scalar> Step<T> {
@@ -47,7 +47,6 @@ impl<T: Scalar> Step<T> {
             self.displacement.iter_mut().for_each(|x| *x = x.scale(share));
             self.size = longest;
             self.way *= share;
-            self.work *= share;
         }
         Some(self)
     }
@@ -84,14 +83,13 @@ impl<T: Scalar> Fall<T> {
         self.step(&principal.step(&self.force, damping))
     }
 
-    /// Whether stiffness drives further from here along some direction, more than rounding would.
-    pub(super) fn is_driven(&self, principal: &Principal<T::Real>) -> bool {
-        principal.lowest().0 < -self.scale * T::Real::EPSILON * T::Real::of(1e6)
+    /// Whether stiffness pushes on from here along some direction, more than rounding would.
+    pub(super) fn falls_away(&self, principal: &Principal<T::Real>) -> bool {
+        principal.lowest().0 < -self.scale * T::Real::EPSILON.powf(T::Real::of(ROUNDED))
     }
 
     /// A step along directions that are open; none if it is no number.
     fn step(&self, along: &[T]) -> Option<Step<T>> {
-        let work = along.iter().zip(&self.force).fold(T::Real::zero(), |sum, (a, b)| sum + (*a * *b).real());
         let displacement = self.linear.tangent.vector(along);
         let (mut size, mut way) = (T::Real::zero(), T::Real::zero());
         for x in &displacement {
@@ -100,7 +98,7 @@ impl<T: Scalar> Fall<T> {
             }
             (size, way) = (size.max(x.real().abs()), way + x.real().abs());
         }
-        Some(Step { displacement, size, way, work })
+        Some(Step { displacement, size, way })
     }
 
     /// Whether forces have a potential, as far as their stiffness says.
@@ -109,8 +107,8 @@ impl<T: Scalar> Fall<T> {
         asymmetry <= differenced::<T::Real>() * self.stiffness.norm()
     }
 
-    /// A displacement of size one in the direction in which stiffness drives further most.
-    pub(super) fn driven(&self, principal: &Principal<T::Real>) -> Vec<T> {
+    /// A displacement of size one in the direction in which stiffness pushes on most.
+    pub(super) fn away(&self, principal: &Principal<T::Real>) -> Vec<T> {
         let displacement = self.linear.tangent.vector(principal.lowest().1);
         let size = displacement.iter().fold(T::Real::zero(), |most, x| most.max(x.abs()));
         displacement.iter().map(|x| T::constant(*x * size.recip())).collect()

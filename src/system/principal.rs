@@ -17,6 +17,9 @@ impl<R: Real> Principal<R> {
     /// Principal directions of a symmetric stiffness; none where the inertia is not definite, or something is no number.
     pub(super) fn of(stiffness: &Matrix<R>, inertia: &Matrix<R>) -> Option<Self> {
         let n = stiffness.columns();
+        if n == 0 {
+            return None;
+        }
         let wide = |matrix: &Matrix<R>| DMatrix::from_fn(n, n, |i, j| matrix.get(i, j).as_f64());
         let stiffness = wide(stiffness);
         if !stiffness.iter().all(|x| x.is_finite()) {

@@ -1,6 +1,6 @@
 //! Static equilibrium: the position at which a sweep finds no accelerations.
 
-use super::fall::{Fall, Step};
+use super::fall::{Fall, ROUNDED, Step};
 use super::inertial::Inertial;
 use super::lists::{numbers, set};
 use super::{Dynamics, MotionOf, PositionOf, Runs, StiffDynamics, System};
@@ -75,7 +75,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let mut now = guess;
         now.rate.replace(&mut |_| S::Scalar::zero());
         self.settle(&mut now, loads, &mut workspace)?;
-        let (small, tiny) = (RealOf::<S>::EPSILON.powf(real(0.6)), real(2.0) * RealOf::<S>::EPSILON);
+        let (small, tiny) = (RealOf::<S>::EPSILON.powf(real(ROUNDED)), real(2.0) * RealOf::<S>::EPSILON);
         let (mut last, mut damping) = (RealOf::<S>::INFINITY, RealOf::<S>::zero());
         // Whether the equilibrium that steps lead to is meant, stable or not.
         let (mut meant, mut orders) = (false, None);
@@ -91,12 +91,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let moved = fall.newton(!meant).and_then(|step| step.within(real(LONGEST))).and_then(|found| {
                 self.moved(&now, &found, meant, loads, &mut workspace).map(|next| (found, next, RealOf::<S>::zero()))
             });
-            let mut driven = None;
+            let mut away = None;
             let (found, next, ladder) = match moved {
                 Some(moved) => moved,
                 None => {
                     let principal = fall.principal().ok_or_else(|| self.unsettled(&now))?;
-                    driven = fall.is_driven(&principal).then(|| fall.driven(&principal));
+                    away = fall.falls_away(&principal).then(|| fall.away(&principal));
                     // Any larger damping will do where a smaller one fails: steps become short.
                     let mut ladder = (real(64.0) * RealOf::<S>::EPSILON * fall.scale).max(damping * real(0.01));
                     loop {
@@ -114,14 +114,14 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             };
             damping = ladder;
             let settled = residual(&now.acceleration) <= real(64.0) * RealOf::<S>::EPSILON * fall.scale;
-            let free = driven.is_none() && ladder <= real(1e6) * RealOf::<S>::EPSILON * fall.scale;
+            let free = away.is_none() && ladder <= small * fall.scale;
             let stalled = found.size + found.size >= last && (found.size <= small || settled);
             (now, last) = (next, found.size);
             if settled && !(free || meant) {
                 // Nothing pulls at a saddle. Without a potential stiffness does not say what one is: it is the equilibrium that was asked for.
                 meant = !fall.has_potential();
                 last = RealOf::<S>::INFINITY;
-                if let Some(aside) = driven.filter(|_| !meant)
+                if let Some(aside) = away.filter(|_| !meant)
                     && let Some(next) = self.off_saddle(&now, &aside, loads, &mut workspace)
                 {
                     now = next;

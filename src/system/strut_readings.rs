@@ -20,6 +20,8 @@ impl<T: Scalar, const D: usize, const N: usize, L> Struts<T, D, N, L> {
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
+    /// Over lanes of which the ends meet in some alone, these have no rate and no tension (NaN).
+    ///
     /// # Errors
     /// [`Fault::Shape`](crate::Fault::Shape) for a motion of another scene, [`Fault::NoSuchBody`](crate::Fault::NoSuchBody) and those of wrong numbers
     /// for struts of another one.

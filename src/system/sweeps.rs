@@ -266,7 +266,13 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ) where
         Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
     {
+        // What joints remember of the sweep before, which is none of those that ask what forces cause.
+        let repeats = const { W::Loads::COUPLED || W::Loads::YIELDS.together() };
+        let remembered = (repeats && <W::Springs as Springs<S::Scalar>>::STIFF).then(|| workspace.kept.clone());
         let mut swept = |loads: &W::Loads, again: bool, acceleration: &mut RateOf<S, R, C>| {
+            if again && let Some(remembered) = &remembered {
+                copy::<S, _, Kept<W::Closures>>(&self.chain, remembered, &mut workspace.kept);
+            }
             let site = Site { again, ..self.site(time, loads) };
             sweep(&self.chain, &site, position, rate, spring, workspace, acceleration);
         };

@@ -45,7 +45,9 @@ where
             let size = (next.time - past.time).as_f64();
             // As an event leaves them, states may be at one time.
             if !(size >= 0.0 && size.is_finite()) {
-                let fault = Fault::NotPositive { parameter: "time from one state to the next", value: size };
+                let (parameter, outside) =
+                    ("time from one state to the next", "states beyond the end of a run are of none");
+                let fault = Fault::OutOfRange { parameter, value: size, least: 0.0, most: f64::INFINITY, outside };
                 return Err(Error::new(fault).at_time(past.time.as_f64()));
             }
         }

@@ -41,7 +41,8 @@ where
     /// `GeneralizedAlpha` what that remembers); those beyond are of no run. Jets and dual numbers have there the derivatives at a fixed time.
     ///
     /// # Errors
-    /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::NotFinite`] where the function
+    /// [`Fault::Count`] for torques of another number, [`Fault::Shape`] for motions of another scene, [`Fault::OutOfRange`] for states that go back in
+    /// time, [`Fault::NotFinite`] where the function
     /// is no number, [`Fault::Unsupported`] for lanes, which cross zero one by one; what the loads on bodies refuse.
     pub fn cut(
         &mut self,

@@ -246,7 +246,7 @@ where
     /// What a cost reads besides positions and rates, a length for the place of the tip, is not in this gradient.
     ///
     /// # Errors
-    /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::NotPositive`] for states that go back in
+    /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::OutOfRange`] for states that go back in
     /// time, as those beyond the end of a run do, with the time before; [`Fault::Unsupported`] where a rule that remembers is given states that are not of its run, with the time; [`Fault::NotFinite`] for a gradient that is none, of derivatives of the
     /// cost that are none; what the loads on bodies refuse, as in [`run`](Self::run); those of the cost.
     pub fn gradient(

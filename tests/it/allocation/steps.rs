@@ -114,13 +114,17 @@ fn the_choice_of_a_rule_allocates_nothing() -> Result<(), Error> {
 
 /// Of scenes without vectors: in others accelerations are copied.
 #[test]
-fn couplings_allocate_nothing() -> Result<(), Error> {
+fn couplings_and_stiff_struts_allocate_nothing() -> Result<(), Error> {
     let (rod, plate) = (Rod::uniform(0.5, 1.0), RigidBody::new(1.0, 0.1, [0.2, 0.1], [0.5, 0.1]));
     let (root, joint) = (Pinned::<[f64; 2]>::origin(), Revolute::smooth());
     let chain = (rod, [(joint, plate); 4]);
     let couplings = Couplings::of(&System::new(root, chain, Free)?, [Coupling::new(2, 1), Coupling::new(4, 1)])?;
     assert_eq!(in_steps(root, chain, &couplings, Dop853)?, [0; 3]);
     assert_eq!(in_steps(root, chain, &couplings, Sdirk4::new())?, [0; 3]);
+    let strut = Strut::between((0, [0.1, 0.2]), (3, [0.3, 0.0])).with_stiffness(1e4).with_damping(1.0).with_length(1.0);
+    let struts = Struts::of([strut]).and(Loads::none().torques([0.1; 5])).stiff();
+    assert_eq!(in_steps(root, chain, &struts, Sdirk4::new())?, [0; 3]);
+    assert_eq!(in_steps(root, chain, &struts, GeneralizedAlpha::new(0.8))?, [0; 3]);
     let rubs = (rod, [(Coulomb::new(joint, 0.1), plate); 4], HardStops::between(joint, [-0.1, 0.1]), rod);
     assert_eq!(in_steps(root, rubs, &Unloaded, MoreauJean)?, [0; 3]);
     Ok(())

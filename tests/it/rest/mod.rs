@@ -4,5 +4,4 @@ mod buckling;
 mod mode_derivatives;
 mod modes;
 mod redundant_loops;
-mod ropes;
 mod spatial_rest;

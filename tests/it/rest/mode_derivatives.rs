@@ -60,6 +60,30 @@ fn of_a_double_pendulum_by_length_and_gravity() -> Result<(), Error> {
     Ok(())
 }
 
+/// Of a stiff beam squares are in proportion to its stiffness, over four decades of frequencies, in double and in single precision.
+#[test]
+fn of_a_stiff_beam_by_its_stiffness() -> Result<(), Error> {
+    use planar::*;
+    macro_rules! squares {
+        ($T:ty) => {{
+            let (stiffness, of) = (Jet::<$T, 1>::seed(1e7, 0), Jet::<$T, 1>::of);
+            let hinge = ElasticHinge::rotary(stiffness);
+            let beam = System::new(Clamped::origin(), [(hinge, Rod::uniform(of(0.1), of(0.5))); 12], Free)?;
+            let modes = beam.modes(&beam.motion(), &Unloaded)?;
+            modes
+                .iter()
+                .map(|mode| (mode.square(), f64::from(mode.square_with_derivatives().eps[0])))
+                .collect::<Vec<_>>()
+        }};
+    }
+    for (list, bound) in [(squares!(f64), 1e-12), (squares!(f32), 1e-4)] {
+        let largest = list.iter().fold(0.0_f64, |most, (square, _)| most.max(*square));
+        assert!(list.len() == 12 && largest > 1e8);
+        list.iter().for_each(|(square, slope)| near(*slope, square / 1e7, bound * largest / 1e7));
+    }
+    Ok(())
+}
+
 #[test]
 fn of_chains_with_springs_and_struts() -> Result<(), Error> {
     use planar::*;

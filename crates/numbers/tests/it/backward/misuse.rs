@@ -94,7 +94,7 @@ fn states_of_another_plan_and_beyond_the_end_are_refused() -> Result<(), Error> 
     let mut states = [start; 15];
     backward.run(&start, 0.01, 10, &[], &mut states)?;
     let found = backward.gradient(&[], &states, &mut [], |_, _, _| Ok(())).map(|_| ()).unwrap_err();
-    assert!(matches!(found.fault, Fault::NotPositive { value, .. } if (value + 0.1).abs() < 1e-15), "{found}");
+    assert!(matches!(found.fault, Fault::OutOfRange { value, .. } if (value + 0.1).abs() < 1e-15), "{found}");
     assert!(found.time.is_some_and(|time| (time - 0.1).abs() < 1e-15));
     assert!(backward.gradient(&[], &states[..11], &mut [], |_, _, _| Ok(())).is_ok());
     Ok(())
