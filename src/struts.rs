@@ -3,9 +3,12 @@
 mod by_body;
 mod readings;
 mod stiff;
+mod strut;
 
 pub use readings::StrutReading;
 pub use stiff::StiffStruts;
+pub use strut::Strut;
+pub(crate) use strut::{End, dot, is_absent, norm};
 
 use crate::element::{Load, Loading, RealOf, Space};
 use crate::error::Fault;
@@ -24,126 +27,6 @@ pub trait Points<const D: usize>: Space {
     fn point(body: &Self::BodyMotion, at: [Self::Scalar; D]) -> [SVector<Self::Scalar, D>; 2];
     /// A force (N, inertial axes) at such a point.
     fn pull(body: &Self::BodyMotion, at: [Self::Scalar; D], force: SVector<Self::Scalar, D>) -> WrenchOf<Self>;
-}
-
-/// An end of a strut: a point of a body (its number, and the point in its axes from its inboard end), or of the ground (m).
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(serialize = "[T; D]: serde::Serialize", deserialize = "[T; D]: serde::Deserialize<'de>"))
-)]
-pub(crate) enum End<T, const D: usize> {
-    Body(usize, [T; D]),
-    Ground([T; D]),
-}
-
-/// A massless spring and damper between two points. Its force acts along the line between them: k (ℓ − ℓ₀) + c ℓ̇ pulls the ends
-/// together. Where they meet the line has no direction: a strut with a length or a damper must keep them apart, or its force is NaN, which
-/// sweeps refuse as [`Fault::NonFiniteLoad`] at a body where it ends. [`Struts::readings`] tells lengths, tensions and energies.
-///
-/// ```
-/// use catena::planar::*;
-/// let rod = Rod::uniform(1.0, 1.0);
-/// let scene = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
-/// // From the middle of the first rod to the tip of the second, and from there to the ground.
-/// let inside = Strut::between((0, [0.5, 0.0]), (1, [1.0, 0.0])).with_stiffness(40.0).with_length(1.0);
-/// let outside = Strut::to_ground((1, [1.0, 0.0]), [2.5, 0.0]).with_stiffness(20.0).with_damping(0.5);
-/// let loads = Struts::of([inside, outside]);
-/// let start = scene.at_rest(&[0.0, 0.3])?;
-/// let run = scene.simulation(Dop853::tolerance(1e-10)).loads(&loads).run(start, 1.0, |_| ())?;
-/// # Ok::<(), catena::Error>(())
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[cfg_attr(
-    feature = "serde",
-    serde(bound(
-        serialize = "[T; D]: serde::Serialize, T: serde::Serialize",
-        deserialize = "[T; D]: serde::Deserialize<'de>, T: serde::Deserialize<'de>"
-    ))
-)]
-pub struct Strut<T, const D: usize> {
-    pub(crate) ends: [End<T, D>; 2],
-    pub(crate) stiffness: T,
-    pub(crate) damping: T,
-    pub(crate) length: T,
-}
-
-impl<T: Scalar, const D: usize> Strut<T, D> {
-    /// Between points of two bodies: the number of each, and the point in its axes from its inboard end (m).
-    pub fn between((body, at): (usize, [T; D]), (other, there): (usize, [T; D])) -> Self {
-        Self::new(End::Body(body, at), End::Body(other, there))
-    }
-
-    /// Between a point of a body and a place in inertial axes (m): it stays where it is where the ground of the scene moves.
-    pub fn to_ground((body, at): (usize, [T; D]), place: [T; D]) -> Self {
-        Self::new(End::Body(body, at), End::Ground(place))
-    }
-
-    fn new(from: End<T, D>, to: End<T, D>) -> Self {
-        Self { ends: [from, to], stiffness: T::zero(), damping: T::zero(), length: T::zero() }
-    }
-
-    /// With a stiffness (N/m).
-    #[must_use]
-    pub fn with_stiffness(self, stiffness: T) -> Self {
-        Self { stiffness, ..self }
-    }
-
-    /// With a damping (N·s/m).
-    #[must_use]
-    pub fn with_damping(self, damping: T) -> Self {
-        Self { damping, ..self }
-    }
-
-    /// With a length (m) at which the spring does not pull; else it always does.
-    #[must_use]
-    pub fn with_length(self, length: T) -> Self {
-        Self { length, ..self }
-    }
-
-    /// The last body that it ends at.
-    fn last_body(&self) -> Option<usize> {
-        let body = |end: &End<T, D>| if let End::Body(k, _) = end { Some(*k) } else { None };
-        let [from, to] = self.ends.each_ref().map(body);
-        from.max(to)
-    }
-
-    /// Energy stored (J), for the places of its ends (m).
-    pub fn energy(&self, from: SVector<T, D>, to: SVector<T, D>) -> T {
-        let (apart, half) = (to - from, crate::scalar::Real::of(0.5));
-        if is_absent(self.length) {
-            return (self.stiffness * dot(apart, apart)).scale(half);
-        }
-        let stretch = norm(apart) - self.length;
-        (self.stiffness * stretch * stretch).scale(half)
-    }
-
-    /// Force (N) on the strut's first end, for place and velocity of both.
-    pub(crate) fn force(&self, [from, to]: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
-        let (apart, parting) = (to[0] - from[0], to[1] - from[1]);
-        // A spring without length and a damper that is not there have no need of a direction: their ends may meet.
-        if is_absent(self.damping) && (is_absent(self.length) || is_absent(self.stiffness)) {
-            return apart * self.stiffness;
-        }
-        let direction = apart * norm(apart).recip();
-        let stretch = norm(apart) - self.length;
-        direction * self.damping.mul_add(dot(direction, parting), self.stiffness * stretch)
-    }
-}
-
-/// Whether a parameter is zero, and all its derivatives: one that is zero where something is differentiated by it acts.
-pub(crate) fn is_absent<T: Scalar>(x: T) -> bool {
-    x.is_identical(T::zero())
-}
-
-pub(crate) fn dot<T: Scalar, const D: usize>(a: SVector<T, D>, b: SVector<T, D>) -> T {
-    a.iter().zip(b.iter()).fold(T::zero(), |sum, (a, b)| a.mul_add(*b, sum))
-}
-
-pub(crate) fn norm<T: Scalar, const D: usize>(a: SVector<T, D>) -> T {
-    dot(a, a).sqrt()
 }
 
 /// Struts of a scene, beside other loads.
@@ -303,7 +186,7 @@ where
         self.others.in_joint(time, joint, motion)
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
-        for Strut { ends, stiffness, damping, length } in &self.struts {
+        for Strut { ends, stiffness, damping, length, .. } in &self.struts {
             not_negative("stiffness of a strut", *stiffness)?;
             not_negative("damping of a strut", *damping)?;
             not_negative("length of a strut", *length)?;
@@ -322,17 +205,5 @@ impl<T: Scalar, U: Scalar, const D: usize, const N: usize, L: Lift<T, U>> Lift<T
     type Over = Struts<U, D, N, L::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         Struts { struts: self.struts.lift(number), others: self.others.lift(number) }
-    }
-}
-
-impl<T: Scalar, U: Scalar, const D: usize> Lift<T, U> for Strut<T, D> {
-    type Over = Strut<U, D>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Strut<U, D> {
-        let ends = self.ends.map(|end| match end {
-            End::Body(k, at) => End::Body(k, at.map(&mut *number)),
-            End::Ground(place) => End::Ground(place.map(&mut *number)),
-        });
-        let [stiffness, damping, length] = [self.stiffness, self.damping, self.length].map(&mut *number);
-        Strut { ends, stiffness, damping, length }
     }
 }

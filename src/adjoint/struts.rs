@@ -89,12 +89,15 @@ impl<T: Scalar, const D: usize> Power<T, D> {
         let inverse = if distance.real().is_zero() { T::zero() } else { distance.recip() };
         let n = apart * inverse;
         let (stretch, speed, s) = (distance - length, dot(n, parting), dot(n, stirred));
-        let (by_damping, by_length) = (s * speed, -(k * s));
-        if is_absent(length) && is_absent(c) {
+        if strut.has_no_direction() && is_absent(length) {
             let (by_place, by_velocity) = (stirred * k, SVector::repeat(T::zero()));
+            let (by_damping, by_length) = (s * speed, -(k * s));
             return Self { by_place, by_velocity, by_stiffness: dot(apart, stirred), by_damping, by_length };
         }
         let force = c.mul_add(speed, k * stretch);
+        // Where it hangs slack nothing changes what it does.
+        let (s, stirred) = (strut.acting(stretch, force, s), stirred.map(|x| strut.acting(stretch, force, x)));
+        let (by_damping, by_length) = (s * speed, -(k * s));
         let along = k * s - (c * speed * s + force * s) * inverse;
         Self {
             by_place: n * along + (parting * (c * s) + stirred * force) * inverse,

@@ -76,14 +76,18 @@ fn yielding<T: Scalar, const D: usize>(
     ends: [[SVector<T, D>; 2]; 2],
     pivot: &impl Fn(T, T) -> T,
 ) -> ([SVector<T, D>; D], [T; D]) {
-    let Strut { stiffness, damping, length, .. } = *strut;
+    let Strut { mut stiffness, mut damping, length, .. } = *strut;
     let unit = |k| SVector::from_fn(|row, _| if row == k { T::one() } else { T::zero() });
-    if is_absent(damping) && (is_absent(length) || is_absent(stiffness)) {
+    if strut.has_no_direction() {
         return (core::array::from_fn(unit), [pivot(stiffness, T::zero()); D]);
     }
     let apart = ends[1][0] - ends[0][0];
     let far = norm(apart);
     let direction = apart * far.recip();
+    // One that hangs slack does not yield.
+    let stretch = far - length;
+    let tension = damping.mul_add(dot(direction, ends[1][1] - ends[0][1]), stiffness * stretch);
+    (stiffness, damping) = (strut.acting(stretch, tension, stiffness), strut.acting(stretch, tension, damping));
     // The reflection that takes the first axis to the strut, or against it: not where both nearly agree.
     let lead = direction[0].if_negative(-T::one(), T::one());
     let normal = direction + unit(0) * lead;

@@ -9,6 +9,7 @@ mod half_turns;
 mod ladders;
 mod open_starts;
 mod plane;
+mod ropes_and_buffers;
 mod shared_loops;
 mod space;
 mod stiff_struts;

@@ -204,3 +204,53 @@ fn runs_under_struts_are_runs_as_all() {
     let fault = scene.backward(Rk4).under(nowhere).run(&start, 0.01, 1, &[], &mut states).unwrap_err().fault;
     assert!(matches!(fault, catena::Fault::NoSuchBody { body: 2, bodies: 2 }), "{fault:?}");
 }
+
+/// A rope that hangs slack for more than half of a run, and a buffer that is pressed for a part of it: by all their numbers, against jets.
+#[test]
+fn ropes_and_buffers_have_the_gradients_of_jets() -> Result<(), catena::Error> {
+    macro_rules! arm {
+        ($x:expr, $T:ty) => {{
+            let (x, of): (&[$T], _) = (&$x, <$T as Scalar>::literal);
+            let rod = Rod::uniform(of(1.0), of(1.0));
+            let scene = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(of(9.81));
+            let rope = Strut::to_ground((1, [of(0.9), of(0.05)]), [x[3], of(0.6)]).with_stiffness(x[0]);
+            let buffer = Strut::between((0, [of(0.3), x[7]]), (1, [of(0.6), of(0.0)])).with_stiffness(x[4]);
+            let (rope, buffer) =
+                (rope.with_damping(x[1]).with_length(x[2]), buffer.with_damping(x[5]).with_length(x[6]));
+            let start = scene.at_rest(&[of(0.4), of(-0.3)])?;
+            (scene, start, [rope.pulling(), buffer.pushing()])
+        }};
+    }
+    let x = [300.0, 4.0, 0.8, 1.6, 500.0, 3.0, 1.2, 0.02];
+    let (scene, start, struts) = arm!(x, f64);
+    let (loads, mut states) = (Struts::of(struts), vec![start; 301]);
+    let mut backward = scene.backward(Rk4).under(loads);
+    backward.run(&start, 0.005, 300, &[], &mut states)?;
+    let gradient =
+        backward.gradient(
+            &[],
+            &states,
+            &mut [],
+            |step, _, by| {
+                if step == 300 { by.add(&[0.0, 1.0], &[0.0; 2]) } else { Ok(()) }
+            },
+        )?;
+    for k in 0..2 {
+        let acts =
+            states.iter().filter(|state| loads.readings(&scene, state).is_ok_and(|found| found[k].tension != 0.0));
+        let acts = acts.count();
+        assert!((10..290).contains(&acts), "strut {k} acts in {acts} states");
+    }
+    let seeds: Vec<_> = (0..).zip(x).map(|(k, x)| Jet::<f64, 8>::seed(x, k)).collect();
+    let (scene, start, struts) = arm!(seeds, Jet<f64, 8>);
+    let found = gradient.along_struts(&struts);
+    let loads = Struts::of(struts);
+    let run =
+        scene.simulation(Rk4::step(0.005)).loads(&loads).run(start, 1.5, |_| ()).map_err(|stopped| stopped.error)?;
+    let expected = run.motion.coordinates()[1].eps;
+    let largest = expected.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+    for (found, expected) in found.iter().zip(expected) {
+        near(*found, expected, ROUNDING * largest);
+    }
+    Ok(())
+}
