@@ -3,17 +3,18 @@
 mod backward;
 mod loads;
 mod placed;
-mod solve;
 
 use crate::lift::Lift;
-use crate::loading::Unloaded;
+use crate::loading::{Unloaded, balanced};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::names::Which;
 use crate::relation::Closures;
 use crate::scalar::{Elementary, Real, Scalar};
 use num_traits::One;
-use solve::solved;
+
+/// What of both numbers that a coupling ties must be left for it to say something.
+const LEAST: f64 = 1e-10;
 
 /// The joints of a coupling, as they are named.
 #[derive(Clone, Copy, Debug)]
@@ -80,9 +81,9 @@ impl<T: Scalar> Tie<T> {
         follower - self.ratio * leader
     }
 
-    /// How much both numbers say: what they miss is rounding beside it where the one follows from the other anyhow.
-    fn measure(&self, [follower, leader]: [T; 2]) -> T::Real {
-        follower.real().abs() + (self.ratio * leader).real().abs()
+    /// How far both numbers must miss the ratio to say anything: less is rounding, where the one follows from the other anyhow.
+    fn least(&self, [follower, leader]: [T; 2]) -> T::Real {
+        (follower.real().abs() + (self.ratio * leader).real().abs()) * T::Real::of(LEAST)
     }
 }
 
@@ -91,7 +92,7 @@ impl<T: Scalar> Tie<T> {
 /// What ties two joints is a pair of forces in them, λ in the follower and −r λ in its leader, that does no work. It is a load, one that
 /// hangs on the accelerations: each sweep is made once without, and once for each coupling, for which bodies are posed already, and λ follows
 /// from what these differ by. So `K` couplings cost `K` + 1 sweeps where there was one (counted as one by
-/// [`Run`](crate::simulate::Run)), and one more in scenes whose joints stick or
+/// [`Run`](crate::simulate::Run)), and one more by implicit rules, in closed scenes, and where joints stick or
 /// strike stops. (In scenes with vectors they allocate.) All rules know them, implicit ones too, events, dense output and readings: internal forces contain λ. Accelerations are
 /// coupled to rounding, and so are motions that begin so, for rules add multiples of accelerations up: what they miss is checked where a
 /// run begins, and not put back. Where loops close or a tip is held, couplings and closures are put back in turns, by `K` + 1 sweeps a turn, and
@@ -183,8 +184,8 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
 
     /// The shares of responses, by the numbers of followers and leaders in each, that undo what is missed.
     fn balanced_by(&self, responses: &[[[T; 2]; K]; K], missed: [T; K]) -> [T; K] {
-        let measures = core::array::from_fn(|k| self.ties[k].measure(responses[k][k]));
-        solved(responses.map(|pairs| self.missing(pairs)), measures, missed.map(|missed| -missed))
+        let columns = responses.map(|pairs| [self.missing(pairs).map(|missed| [missed])]);
+        balanced(columns, |k| self.ties[k].least(responses[k][k]), missed.map(|missed| [-missed])).map(|[share]| share)
     }
 
     /// Positions of followers and leaders.

@@ -160,7 +160,7 @@ pub trait Element<S: Space>:
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot take what lies outboard of it: `{R}`",
     label = "nothing outboard of this holds it",
-    note = "a pin needs a body on its outboard side: end a chain with a body, and put a body between two pins",
+    note = "a pin needs a body on its outboard side: end a chain with a body, and put a body between two pins; after `BodyAxes` stand `Hinge`s, `Slide`s and `Link`s, one joint at least",
     note = "only elements of the chain's space `{S}` can"
 )]
 pub trait Condense<S: Space, R, W: Sweep<S>>: Element<S> {

@@ -210,9 +210,9 @@ pub enum Fault {
         /// Sweeps taken.
         sweeps: usize,
     },
-    /// A formulation does not know such an element.
+    /// Not supported.
     Unsupported {
-        /// The element that it meets.
+        /// What is not.
         what: &'static str,
     },
 }

@@ -84,7 +84,8 @@ impl<T: Scalar> EnergyDrift<T> {
 #[derive(Debug)]
 pub struct Trace<W> {
     writer: W,
-    started: bool,
+    /// The type of the scene that it is of, and how many numbers that has, once a line is written.
+    of: Option<(&'static str, usize)>,
     outcome: std::io::Result<()>,
 }
 
@@ -92,13 +93,13 @@ pub struct Trace<W> {
 impl<W: std::io::Write> Trace<W> {
     /// A trace written to `writer`, for example a buffered file.
     pub fn new(writer: W) -> Self {
-        Self { writer, started: false, outcome: Ok(()) }
+        Self { writer, of: None, outcome: Ok(()) }
     }
 
     /// The writer, flushed.
     ///
     /// # Errors
-    /// The first error that writing met; nothing was written after it.
+    /// The first error that writing met, or that a scene of another type or size was shown; nothing was written after it.
     pub fn finish(mut self) -> std::io::Result<W> {
         self.outcome?;
         self.writer.flush()?;
@@ -113,16 +114,19 @@ impl<W: std::io::Write> Trace<W> {
         &mut self,
         now: &Now<'_, S, R, C, P, L>,
     ) -> std::io::Result<()> {
-        let Self { writer, started, .. } = self;
+        let Self { writer, of, .. } = self;
         if S::Scalar::LANES {
             return Err(std::io::Error::new(std::io::ErrorKind::Unsupported, "a trace of lanes"));
         }
-        if !*started {
-            writeln!(writer, "{}", columns(now.system().elements()))?;
-            *started = true;
-        }
-        write!(writer, "{}", now.time().as_f64())?;
         let (motion, mut outcome) = (now.motion(), Ok(()));
+        let own = (core::any::type_name::<(S, R, C, P)>(), motion.coordinate_count() + motion.rate_count());
+        match *of {
+            None => writeln!(writer, "{}", columns(now.system().elements()))?,
+            Some(of) if of == own => (),
+            Some(_) => return Err(std::io::Error::new(std::io::ErrorKind::InvalidInput, "a trace of two scenes")),
+        }
+        *of = Some(own);
+        write!(writer, "{}", now.time().as_f64())?;
         let mut note = |x: S::Scalar| {
             if outcome.is_ok() {
                 outcome = write!(writer, ",{}", x.real().as_f64());

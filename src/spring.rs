@@ -159,6 +159,9 @@ impl<T: Scalar, D: Coefficient<T>> Spring<T, D> {
 /// # Ok::<(), catena::Error>(())
 /// ```
 pub trait SpringLaw<T: Scalar>: Copy + Debug + 'static {
+    /// Whether there is a law at all: one that is [`Absent`] is asked nothing.
+    #[doc(hidden)]
+    const ON: bool = true;
     /// Whether force is affine in position and rate: then slopes are the same everywhere, and nothing has to be read twice.
     const LINEAR: bool = false;
     /// Whether force is one analytic function of position and rate, made of products, powers, sines and the like, without cases: then
@@ -198,6 +201,7 @@ pub(crate) fn read<T: Scalar, L: SpringLaw<T>, K: Springs<T>>(
 }
 
 impl<T: Scalar> SpringLaw<T> for Absent {
+    const ON: bool = false;
     const LINEAR: bool = true;
 
     #[inline(always)]

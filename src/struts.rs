@@ -8,15 +8,16 @@ mod strut;
 pub use readings::StrutReading;
 pub use stiff::StiffStruts;
 pub use strut::Strut;
-pub(crate) use strut::{End, dot, is_absent, norm};
+pub(crate) use strut::{Acts, End, dot, is_absent, norm};
 
 use crate::element::{Load, Loading, RealOf, Space};
 use crate::error::Fault;
-use crate::error::checks::{finite, not_negative};
+use crate::error::checks::{finite, not_negative, positive};
 use crate::lift::Lift;
 use crate::loading::Yields;
-use crate::relation::{Wrench, WrenchOf};
+use crate::relation::{Absent, Wrench, WrenchOf};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use by_body::ByBody;
 use nalgebra::SVector;
 use num_traits::Zero;
@@ -40,31 +41,31 @@ pub trait Points<const D: usize>: Space {
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "[Strut<T, D>; N]: serde::Serialize, L: serde::Serialize",
-        deserialize = "[Strut<T, D>; N]: serde::Deserialize<'de>, L: serde::Deserialize<'de>"
+        serialize = "[Strut<T, D, W>; N]: serde::Serialize, L: serde::Serialize",
+        deserialize = "[Strut<T, D, W>; N]: serde::Deserialize<'de>, L: serde::Deserialize<'de>"
     ))
 )]
-pub struct Struts<T, const D: usize, const N: usize, L = crate::loading::Unloaded> {
-    struts: [Strut<T, D>; N],
+pub struct Struts<T, const D: usize, const N: usize, L = crate::loading::Unloaded, W = Absent> {
+    struts: [Strut<T, D, W>; N],
     others: L,
 }
 
-impl<T, const D: usize, const N: usize> Struts<T, D, N> {
+impl<T, const D: usize, const N: usize, W> Struts<T, D, N, crate::loading::Unloaded, W> {
     /// Loads by these struts, and no others.
-    pub const fn of(struts: [Strut<T, D>; N]) -> Self {
+    pub const fn of(struts: [Strut<T, D, W>; N]) -> Self {
         Self { struts, others: crate::loading::Unloaded }
     }
 
     /// Other loads besides. Loads that yield, as contacts do, do not compile here: make them [`plain`](crate::spatial::Contacts::plain).
     /// Nor do [`Torques`](crate::robot::Torques), which number joints of one coordinate: take [`Loads::efforts`](crate::loading::Loads::efforts).
-    pub fn and<L>(self, others: L) -> Struts<T, D, N, L> {
+    pub fn and<L>(self, others: L) -> Struts<T, D, N, L, W> {
         Struts { struts: self.struts, others }
     }
 }
 
-impl<T, const D: usize, const N: usize, L> Struts<T, D, N, L> {
+impl<T, const D: usize, const N: usize, L, W> Struts<T, D, N, L, W> {
     /// The struts.
-    pub fn struts(&self) -> &[Strut<T, D>; N] {
+    pub fn struts(&self) -> &[Strut<T, D, W>; N] {
         &self.struts
     }
 
@@ -94,7 +95,7 @@ impl<T, const D: usize, const N: usize> Sight<T, D, N> {
     }
 }
 
-impl<T: Scalar, const D: usize, const N: usize, L> Struts<T, D, N, L> {
+impl<T: Scalar, const D: usize, const N: usize, L, W> Struts<T, D, N, L, W> {
     /// What struts with such forces (N, on their first ends) and other loads exert on a body.
     #[cfg_attr(optimised, inline(always))]
     fn exerted<S: Points<D, Scalar = T>>(
@@ -122,10 +123,11 @@ impl<T: Scalar, const D: usize, const N: usize, L> Struts<T, D, N, L> {
     }
 }
 
-impl<S, L, const D: usize, const N: usize> Loading<S> for Struts<S::Scalar, D, N, L>
+impl<S, L, const D: usize, const N: usize, W> Loading<S> for Struts<S::Scalar, D, N, L, W>
 where
     S: Points<D>,
     L: Loading<S>,
+    W: SpringLaw<S::Scalar>,
 {
     type OnBody = WrenchOf<S>;
     type InJoint = L::InJoint;
@@ -186,10 +188,14 @@ where
         self.others.in_joint(time, joint, motion)
     }
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
-        for Strut { ends, stiffness, damping, length, .. } in &self.struts {
+        for Strut { ends, stiffness, damping, length, acts, law } in &self.struts {
+            law.check()?;
             not_negative("stiffness of a strut", *stiffness)?;
             not_negative("damping of a strut", *damping)?;
             not_negative("length of a strut", *length)?;
+            if let Acts::Pushes = acts {
+                positive("length of a buffer", *length)?;
+            }
             for End::Body(_, at) | End::Ground(at) in ends {
                 finite("end of a strut", at)?;
             }
@@ -201,8 +207,10 @@ where
     }
 }
 
-impl<T: Scalar, U: Scalar, const D: usize, const N: usize, L: Lift<T, U>> Lift<T, U> for Struts<T, D, N, L> {
-    type Over = Struts<U, D, N, L::Over>;
+impl<T: Scalar, U: Scalar, const D: usize, const N: usize, L: Lift<T, U>, W: Lift<T, U>> Lift<T, U>
+    for Struts<T, D, N, L, W>
+{
+    type Over = Struts<U, D, N, L::Over, W::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         Struts { struts: self.struts.lift(number), others: self.others.lift(number) }
     }

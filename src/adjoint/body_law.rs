@@ -1,6 +1,7 @@
 //! What acts on bodies in runs that go backward.
 
 use super::{Reversed, Ties};
+use crate::error::Fault;
 use crate::loading::{EffortOf, Load, LoadLaw, Loading, Loads, Unloaded};
 use crate::relation::{Absent, Additive, Closures};
 use crate::shape::Takes;
@@ -37,7 +38,15 @@ pub trait BodyLaw<S: Reversed>: Copy {
     /// Puts efforts in joints beside these loads and ties.
     fn whole<J: LoadLaw<S::JointMotion, Value = EffortOf<S>> + Clone>(self, efforts: J) -> Self::Whole<J>;
     /// No derivatives yet.
-    fn of_nothing() -> Self::OfNumbers;
+    fn of_nothing(&self) -> Self::OfNumbers;
+    /// Refuses derivatives that are none: by laws of more numbers than costates know, and by forces that have jumped.
+    ///
+    /// # Errors
+    /// What it is.
+    fn known(&self, of_numbers: &Self::OfNumbers) -> Result<(), Fault> {
+        let _ = of_numbers;
+        Ok(())
+    }
     /// Nothing is stirred yet.
     fn unstirred() -> Self::Stirred;
     /// The ties between joints.
@@ -71,7 +80,7 @@ impl<S: Reversed, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> f
     fn whole<J: LoadLaw<S::JointMotion, Value = EffortOf<S>> + Clone>(self, efforts: J) -> Loads<L, J> {
         self.beside(efforts)
     }
-    fn of_nothing() -> OfLaw<S::Scalar> {
+    fn of_nothing(&self) -> OfLaw<S::Scalar> {
         ([S::Scalar::null(); LAW], 0)
     }
     fn unstirred() {}

@@ -16,7 +16,7 @@ pub const ROTARY_NUMBERS: usize = NUMBERS + 3;
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward through the law `{Self}`",
     label = "not a law that the costate sweep knows",
-    note = "it knows `Spring`, `DryFriction`, `Stops`, tuples of these, and laws of the user's own in hinges (`ElasticHinge::with`, in space `Custom`) that are generic over the scalar and can be lifted: `catena::lift!`",
+    note = "it knows `Spring`, `DryFriction`, `Stops`, tuples of these, and laws of the user's own in hinges and struts (`ElasticHinge::with`, else `Custom(law)`) that are generic over the scalar and can be lifted: `catena::lift!`",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait ReversibleLaw<T: Scalar>: SpringLaw<T> {

@@ -8,14 +8,20 @@
 //! ∂π/∂k = s (ℓ − ℓ₀)        ∂π/∂c = s ℓ̇        ∂π/∂ℓ₀ = −k s
 //! ```
 //!
+//! A law of its own takes its force F(ℓ, ℓ̇) from f, and −∂F/∂ℓ and −∂F/∂ℓ̇ stand beside k and c.
+//!
 //! What its ends read is carried inward as from a station of its own on each body. Virtual velocities of both ends have to be known first: one
 //! more walk over bodies.
 
 use super::Reversed;
 use super::body_law::OfLaw;
+use super::laws::{NUMBERS, ReversibleLaw};
+use crate::error::Fault;
+use crate::lift::Lift;
 use crate::relation::Additive;
 use crate::scalar::Scalar;
 use crate::space::FrameOf;
+use crate::spring::SpringLaw;
 use crate::struts::{End, Points, Sight, Strut, dot, is_absent, norm};
 use nalgebra::SVector;
 use num_traits::Zero;
@@ -49,19 +55,60 @@ pub struct ByStrut<T, const D: usize> {
     pub damping: T,
     /// By its length (m) at which the spring does not pull.
     pub length: T,
+    /// By the numbers of its law.
+    law: [T; NUMBERS],
+    /// How many these are.
+    count: usize,
+    /// Whether the strut acts at some time, and whether it hung slack before.
+    acts: bool,
+    set_in: bool,
 }
 
 impl<T: Scalar, const D: usize> ByStrut<T, D> {
-    /// No derivatives.
-    pub(crate) fn none() -> Self {
-        let (zero, none) = (T::zero(), SVector::repeat(T::zero()));
-        Self { ends: [none; 2], stiffness: zero, damping: zero, length: zero }
+    /// No derivatives by the numbers of a strut.
+    pub(crate) fn none<W: Lift<T, T>>(strut: &Strut<T, D, W>) -> Self {
+        let (zero, none, mut count) = (T::zero(), SVector::repeat(T::zero()), 0);
+        strut.law.lift(&mut |number| {
+            count += 1;
+            number
+        });
+        Self {
+            ends: [none; 2],
+            stiffness: zero,
+            damping: zero,
+            length: zero,
+            law: [zero; NUMBERS],
+            count,
+            acts: false,
+            set_in: false,
+        }
+    }
+
+    /// By the numbers of its [law](Strut::with_law), in the order in which [`Lift`] meets them: six at most, for a run under a law of more has no
+    /// gradient backward.
+    pub fn law(&self) -> &[T] {
+        self.law.get(..self.count).unwrap_or(&self.law)
+    }
+
+    /// Refuses a law of more numbers than there is room for, and a force that set in with a jump, whose instant no costate knows.
+    pub(crate) fn known<W: SpringLaw<T>>(&self, strut: &Strut<T, D, W>) -> Result<(), Fault> {
+        let jumps = |rate| !strut.tension(strut.length, rate).real().is_zero();
+        if self.set_in && (jumps(T::one()) || jumps(-T::one())) {
+            let what = "the gradient of a run in which a rope or buffer sets in with a force, as of a damper: it jumps there; take a law that does not";
+            return Err(Fault::Unsupported { what });
+        }
+        let (expected, given) = (NUMBERS, self.count);
+        if given <= expected {
+            Ok(())
+        } else {
+            Err(Fault::Count { list: "numbers of a law of a strut", expected, given })
+        }
     }
 
     /// All of them, in the order in which a strut is lifted.
     pub(crate) fn each_number(&mut self) -> impl Iterator<Item = &mut T> {
-        let Self { ends: [from, to], stiffness, damping, length } = self;
-        from.iter_mut().chain(to).chain([stiffness, damping, length])
+        let Self { ends: [from, to], stiffness, damping, length, law, count, .. } = self;
+        from.iter_mut().chain(to).chain([stiffness, damping, length]).chain(law.iter_mut().take(*count))
     }
 }
 
@@ -78,10 +125,18 @@ struct Power<T, const D: usize> {
     by_stiffness: T,
     by_damping: T,
     by_length: T,
+    by_law: [T; NUMBERS],
+    /// Whether the strut acts, and whether it is too short or too long for that.
+    acts: bool,
+    slack: bool,
 }
 
 impl<T: Scalar, const D: usize> Power<T, D> {
-    fn of(strut: &Strut<T, D>, [from, to]: [[SVector<T, D>; 2]; 2], [u, w]: [SVector<T, D>; 2]) -> Self {
+    fn of<W: ReversibleLaw<T>>(
+        strut: &Strut<T, D, W>,
+        [from, to]: [[SVector<T, D>; 2]; 2],
+        [u, w]: [SVector<T, D>; 2],
+    ) -> Self {
         let &Strut { stiffness: k, damping: c, length, .. } = strut;
         let (apart, parting, stirred) = (to[0] - from[0], to[1] - from[1], u - w);
         let distance = norm(apart);
@@ -89,29 +144,47 @@ impl<T: Scalar, const D: usize> Power<T, D> {
         let inverse = if distance.real().is_zero() { T::zero() } else { distance.recip() };
         let n = apart * inverse;
         let (stretch, speed, s) = (distance - length, dot(n, parting), dot(n, stirred));
+        let mut by_law = [T::zero(); NUMBERS];
         if strut.has_no_direction() && is_absent(length) {
             let (by_place, by_velocity) = (stirred * k, SVector::repeat(T::zero()));
             let (by_damping, by_length) = (s * speed, -(k * s));
-            return Self { by_place, by_velocity, by_stiffness: dot(apart, stirred), by_damping, by_length };
+            return Self {
+                by_place,
+                by_velocity,
+                by_stiffness: dot(apart, stirred),
+                by_damping,
+                by_length,
+                by_law,
+                acts: true,
+                slack: false,
+            };
         }
-        let force = c.mul_add(speed, k * stretch);
+        let force = strut.tension(distance, speed);
         // Where it hangs slack nothing changes what it does.
         let (s, stirred) = (strut.acting(stretch, force, s), stirred.map(|x| strut.acting(stretch, force, x)));
         let (by_damping, by_length) = (s * speed, -(k * s));
-        let along = k * s - (c * speed * s + force * s) * inverse;
+        let [mut of_distance, mut of_speed] = [k * s, c * s];
+        if W::ON {
+            let [by_distance, by_speed] = strut.law.pull_back(distance, speed, -s, &mut by_law);
+            [of_distance, of_speed] = [of_distance + by_distance, of_speed + by_speed];
+        }
+        let along = of_distance - (of_speed * speed + force * s) * inverse;
         Self {
-            by_place: n * along + (parting * (c * s) + stirred * force) * inverse,
-            by_velocity: n * (c * s),
+            by_place: n * along + (parting * of_speed + stirred * force) * inverse,
+            by_velocity: n * of_speed,
             by_stiffness: s * stretch,
             by_damping,
             by_length,
+            by_law,
+            acts: !strut.acting(stretch, force, T::one()).is_zero(),
+            slack: strut.acting(stretch, stretch, T::one()).is_zero(),
         }
     }
 }
 
 /// Sees virtual velocities of ends on the body met last.
-pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
-    struts: &[Strut<S::Scalar, D>; N],
+pub fn stir<S: ReversiblePoints<D>, W, const D: usize, const N: usize>(
+    struts: &[Strut<S::Scalar, D, W>; N],
     sight: &Sight<S::Scalar, D, N>,
     ends: &mut EndsStirred<S::Scalar, D, N>,
     body: usize,
@@ -131,8 +204,8 @@ pub fn stir<S: ReversiblePoints<D>, const D: usize, const N: usize>(
 
 /// Costates of the inboard end of the body met last, by what the ends on it read; adds to those of the numbers of struts, of which the first
 /// end, which is on a body, gives those that both have in common.
-pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
-    struts: &[Strut<S::Scalar, D>; N],
+pub fn felt<S: ReversiblePoints<D>, W: ReversibleLaw<S::Scalar>, const D: usize, const N: usize>(
+    struts: &[Strut<S::Scalar, D, W>; N],
     (sight, stirred): (&Sight<S::Scalar, D, N>, &EndsStirred<S::Scalar, D, N>),
     body: usize,
     (frame, stirring): (&FrameOf<S>, S::Angular),
@@ -155,6 +228,9 @@ pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
                 by.stiffness += power.by_stiffness;
                 by.damping += power.by_damping;
                 by.length += power.by_length;
+                // What is met later was before.
+                (by.acts, by.set_in) = (by.acts || power.acts, by.set_in || (by.acts && power.slack));
+                by.law.iter_mut().zip(power.by_law).for_each(|(sum, more)| *sum += more);
                 if let End::Ground(_) = strut.ends[1] {
                     by.ends[1] += power.by_place;
                 }
@@ -168,12 +244,13 @@ pub fn felt<S: ReversiblePoints<D>, const D: usize, const N: usize>(
 /// body's motion from them.
 macro_rules! struts {
     ($Space:ident, $D:literal) => {
-        impl<T: Scalar, L, const N: usize> BodyLaw<$Space<T>> for Struts<T, $D, N, L>
+        impl<T: Scalar, L, W, const N: usize> BodyLaw<$Space<T>> for Struts<T, $D, N, L, W>
         where
             L: ActsOnBodies<$Space<T>>,
             L::Law: LoadLaw<BodyMotion<T>, Value: Load<$Space<T>>> + BodyLaw<$Space<T>, OfNumbers = OfLaw<T>>,
+            W: SpringLaw<T> + Lift<T, T>,
         {
-            type Beside<J: LoadLaw<JointMotion<T>> + Clone> = Struts<T, $D, N, Loads<L::Law, J>>;
+            type Beside<J: LoadLaw<JointMotion<T>> + Clone> = Struts<T, $D, N, Loads<L::Law, J>, W>;
             type Whole<J: LoadLaw<JointMotion<T>, Value = $crate::loading::EffortOf<$Space<T>>> + Clone> =
                 Self::Beside<J>;
             type OfNumbers = OfStruts<T, $D, N>;
@@ -190,8 +267,11 @@ macro_rules! struts {
             ) -> Self::Beside<J> {
                 self.beside(efforts)
             }
-            fn of_nothing() -> Self::OfNumbers {
-                ([ByStrut::none(); N], <L::Law as BodyLaw<$Space<T>>>::of_nothing())
+            fn of_nothing(&self) -> Self::OfNumbers {
+                (self.struts().each_ref().map(ByStrut::none), self.others().law().of_nothing())
+            }
+            fn known(&self, (of_struts, _): &Self::OfNumbers) -> Result<(), Fault> {
+                self.struts().iter().zip(of_struts).try_for_each(|(strut, by)| by.known(strut))
             }
             fn unstirred() -> Self::Stirred {
                 [[SVector::repeat(T::zero()); 2]; N]
@@ -209,9 +289,10 @@ macro_rules! struts {
             }
         }
 
-        impl<T: Scalar, L, const N: usize> ActsOnBodies<$Space<T>> for Struts<T, $D, N, L>
+        impl<T: Scalar, L, W, const N: usize> ActsOnBodies<$Space<T>> for Struts<T, $D, N, L, W>
         where
             L: Loading<$Space<T>> + Copy,
+            W: SpringLaw<T>,
             Self: BodyLaw<$Space<T>, Ties = ()> + Loading<$Space<T>>,
         {
             type Law = Self;
@@ -220,8 +301,9 @@ macro_rules! struts {
             }
         }
 
-        impl<T: Scalar, L, const N: usize> ReversibleLoads<$Space<T>> for Struts<T, $D, N, L>
+        impl<T: Scalar, L, W, const N: usize> ReversibleLoads<$Space<T>> for Struts<T, $D, N, L, W>
         where
+            W: ReversibleLaw<T> + Lift<T, T>,
             L: ActsOnBodies<$Space<T>>,
             L::Law: LoadLaw<BodyMotion<T>, Value: Load<$Space<T>>> + ReversibleLoads<$Space<T>, OfNumbers = OfLaw<T>>,
         {
@@ -235,10 +317,10 @@ macro_rules! struts {
                 let PullLoads { law, seen: ((seen, ()), ends), surveys, time, body, level, of_law } = walk;
                 let ((of_struts, of_law), struts) = (of_law, law.struts());
                 if *surveys {
-                    stir::<$Space<T>, $D, N>(struts, seen, ends, *body, frame, stirred);
+                    stir::<$Space<T>, W, $D, N>(struts, seen, ends, *body, frame, stirred);
                     return Felt::null();
                 }
-                let felt = felt::<$Space<T>, $D, N>(struts, (seen, ends), *body, (frame, stirred.1), of_struts);
+                let felt = felt::<$Space<T>, W, $D, N>(struts, (seen, ends), *body, (frame, stirred.1), of_struts);
                 if const { !<L::Law as BodyLaw<$Space<T>>>::ON } {
                     return felt;
                 }

@@ -77,8 +77,11 @@ macro_rules! backward {
             ) -> Self::Whole<J> {
                 self.ties().and(self.beside(efforts))
             }
-            fn of_nothing() -> Self::OfNumbers {
-                ([T::zero(); K], L::Law::of_nothing())
+            fn of_nothing(&self) -> Self::OfNumbers {
+                ([T::zero(); K], self.others.law().of_nothing())
+            }
+            fn known(&self, (_, of_law): &Self::OfNumbers) -> Result<(), Fault> {
+                self.others.law().known(of_law)
             }
             fn unstirred() -> Self::Stirred {
                 L::Law::unstirred()

@@ -1,9 +1,9 @@
 //! Couplings as loads: forces that follow from the accelerations of a sweep without them, and of one by each.
 
 use super::{Couplings, Tie, unit};
-use crate::element::{Level, Loading, RealOf};
+use crate::element::{Level, Loading, RealOf, Springs};
 use crate::error::Fault;
-use crate::loading::{EffortOf, LARGER, missed_beyond};
+use crate::loading::{EffortOf, LARGER, Yields, missed_beyond};
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
@@ -87,16 +87,11 @@ where
     type Seen = L::Seen;
     const ON: bool = true;
     const SURVEYS: bool = L::SURVEYS;
+    const YIELDS: Yields = L::YIELDS;
     const COUPLED: bool = true;
 
     fn nothing() -> (L::OnBody, EffortOf<S>) {
         const { assert!(!L::COUPLED, "couplings stand in one list") }
-        const {
-            assert!(
-                !L::YIELDS.together(),
-                "beside couplings struts do not yield: take them as they are, without `stiff`"
-            )
-        }
         const { assert!(!L::BY_COORDINATE, "beside couplings joints are numbered from the root's on: take `Loads::efforts`") }
         (L::nothing().0, Additive::null())
     }
@@ -149,6 +144,19 @@ where
         }
         acceleration.set(&free);
         along(acceleration, responses, shares);
+    }
+    fn yielded<V: Rate<S::Scalar>>(
+        &self,
+        led: (&L::Seen, &V),
+        springs: impl Springs<S::Scalar>,
+        see: impl Fn(&V) -> L::Seen,
+        acceleration: &mut V,
+        mut sweep: impl FnMut(&Self, bool, &mut V),
+    ) {
+        let beside = |others: &L, again: bool, acceleration: &mut V| {
+            sweep(&Self { others: others.clone(), ..*self }, again, acceleration);
+        };
+        self.others.yielded(led, springs, see, acceleration, beside);
     }
     fn rejoined<P: Position<S::Scalar>>(
         &self,

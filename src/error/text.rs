@@ -52,7 +52,10 @@ impl fmt::Display for Fault {
                 "nothing resists the motion in this joint (what lies outboard has no mass or inertia along or about it, or another joint there moves alike)"
             ),
             Fault::NonFiniteLoad => write!(f, "a load is not finite"),
-            Fault::NonFiniteMotion => write!(f, "the motion is not finite"),
+            Fault::NonFiniteMotion => write!(
+                f,
+                "the motion is not finite: where a step has led there a shorter one may not (a body of space turns by less than half a turn in each)"
+            ),
             Fault::AngleOutOfRange { angle } => {
                 write!(
                     f,
@@ -151,7 +154,7 @@ impl fmt::Display for Fault {
             Fault::NotConverged { sweeps } => {
                 write!(f, "the equations of a step are not met after {sweeps} sweeps: take smaller steps")
             }
-            Fault::Unsupported { what } => write!(f, "this formulation does not know {what}"),
+            Fault::Unsupported { what } => write!(f, "not supported: {what}"),
         }
     }
 }

@@ -5,7 +5,7 @@
 //! | anything, to begin with | `Dop853::tolerance(1e-9)` | order 8, dense output, twelve sweeps a step |
 //! | what you do not know, stiff or not | `Auto::tolerance(1e-6)` | it tries, and tells what it chose |
 //! | the same, where `Taylor::<24>::knows(&scene)` compiles | `AutoTaylor::<24>::tolerance(1e-6)` | up to 2.6 times less time than `Auto` |
-//! | rods, bodies, pins, sliders and springs in the plane, torques over time | `Taylor::<24>::tolerance(1e-12)` | one sweep's gains for all orders: 1.2 to 2.8 times less time than DOP853 where no joint slides or is driven |
+//! | rods, bodies, pins, sliders and springs in the plane, torques over time | `Taylor::<24>::tolerance(1e-12)` | one sweep's gains for all orders: 1.2 to 2.8 times less time than DOP853 where no joint slides; joints that are [driven](crate::planar::Driven) it does not know |
 //! | rods on balls in space, to many digits | `Taylor::<24>::tolerance(1e-12)` | likewise: 1.2 to 1.5 times less time than DOP853 at 1e-9, 1.4 to 2.4 times at 1e-12 |
 //! | many bodies, costly loads | `Vcabm::new().tolerance(1e-9)` | one sweep a step |
 //! | a controller's step of fixed size | `Rk4::step(1e-3)` | four sweeps, the same time always |

@@ -54,8 +54,9 @@
 //! | feet on the ground, in space | [`Contacts`](crate::spatial::Contacts) |
 //! | a law of one's own in a joint, known to implicit rules | [`SpringLaw`](crate::planar::SpringLaw) |
 //! | a spring between two points of bodies | [`Strut`](crate::planar::Strut) |
+//! | a law of one's own between them: an absorber, a muscle | [`Strut::with_law`](crate::planar::Strut::with_law) |
 //! | a rope that hangs slack, a buffer | [`Strut::pulling`](crate::planar::Strut::pulling), [`pushing`](crate::planar::Strut::pushing) |
-//! | the same, so stiff that steps are longer than its vibration | [`Struts::stiff`](crate::planar::Struts::stiff), by implicit rules |
+//! | such struts, so stiff that steps are longer than its vibration | [`Struts::stiff`](crate::planar::Struts::stiff), by implicit rules |
 //! | limits, thresholds, buffers: loads with a kink, by rules that keep their order | [`kinks`](crate::simulate::Simulation::kinks) of a run |
 //! | the instant of touching | an [event](crate::simulate::Simulation::event), then a new start |
 //!

@@ -2,13 +2,11 @@
 
 mod laws;
 mod loads;
+mod responses;
 
 pub use laws::{Function, InJoints, LoadLaw, OnBodies, OverTime, Seen, SeriesLaw, TimeLaw, Values};
 pub use loads::Loads;
-
-/// So much larger than those expected are forces whose responses are found: what differences lose is a rounding of what moves without, for
-/// each share that is taken of a response, so that larger ones lose nothing, and smaller ones all that stiff springs hold back.
-pub(crate) const LARGER: f64 = 4096.0;
+pub(crate) use responses::{Each, LARGER, balanced};
 
 /// What acts in a joint of a space.
 pub type EffortOf<S> = <<S as Space>::JointMotion as Seen>::Load;
@@ -19,6 +17,7 @@ use crate::mirror::{Position, Rate};
 use crate::relation::{Absent, Part, Wrench, WrenchOf};
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::space::{MovingBody, RealOf, Space};
+use crate::sweep::Springs;
 use crate::visit::Level;
 use num_traits::One;
 
@@ -74,7 +73,7 @@ pub trait Loading<S: Space> {
     }
 
     /// Finds accelerations by a sweep under loads; by several, where forces hang on these. The last one is under the forces found where more is
-    /// read of it than accelerations (`read`): what is told of joints with modes, closure forces. A sweep is told whether it is not the first, so that
+    /// read of it than accelerations (`read`): what is told of joints with modes, closure forces, what joints remember. A sweep is told whether it is not the first, so that
     /// bodies are posed.
     #[inline(always)]
     fn accelerated<V: Rate<S::Scalar>>(
@@ -88,17 +87,17 @@ pub trait Loading<S: Space> {
     }
 
     /// Finds accelerations by implicit sweeps under loads that yield [together](Yields::Together). They are `read` of a state to which accelerations have
-    /// `led`; `pivot` is what a stiffness and a damping make of an acceleration, and `see` looks at the place of the sweeps, with accelerations for
+    /// `led`; `springs` is what these make of stiffness and damping, and `see` looks at the place of the sweeps, with accelerations for
     /// rates. A sweep is told whether it is not the first.
     fn yielded<V: Rate<S::Scalar>>(
         &self,
         (read, led): (&Self::Seen, &V),
-        pivot: impl Fn(S::Scalar, S::Scalar) -> S::Scalar,
+        springs: impl Springs<S::Scalar>,
         see: impl Fn(&V) -> Self::Seen,
         acceleration: &mut V,
         mut sweep: impl FnMut(&Self, bool, &mut V),
     ) {
-        let _ = (read, led, pivot, see);
+        let _ = (read, led, springs, see);
         sweep(self, false, acceleration);
     }
 

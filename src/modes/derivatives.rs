@@ -6,7 +6,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Inertial, MotionOf, RateOf, Runs, StiffDynamics, System, numbers, set};
+use crate::system::{Inertial, MotionOf, RateOf, Runs, StiffDynamics, System, numbers, set, step};
 use nalgebra::{DMatrix, SVD};
 use num_traits::{One, Zero};
 use std::vec::Vec;
@@ -52,7 +52,9 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 let shares = shares.iter().flat_map(|row| row.iter());
                 derivatives.iter().zip(shares).fold(x, |sum, (missed, share)| sum - *missed * constant(share))
             });
-            let [mut change, springs] = self.changes(still, &moving.rate, narrow, loads, &mut workspace);
+            let first = self.change(still, &moving.rate, (narrow, step()), loads, &mut workspace);
+            let (at, largest) = ((still, &moving.rate), first.size);
+            let ([mut change, springs], _) = self.beside_kinks(at, narrow, largest, first, loads, &mut workspace);
             change.iter_mut().zip(springs).for_each(|(sum, more)| *sum += more);
             // As large as the shape, for what pairs them loses what one exceeds the other by.
             let largest =

@@ -19,6 +19,11 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 pub struct Pack<T, const N: usize>(pub [T; N]);
 
 impl<T: Scalar, const N: usize> Pack<T, N> {
+    /// Whether all numbers are the same.
+    pub(crate) fn is_even(&self) -> bool {
+        self.0.iter().all(|x| x.is_identical(self.0[0]))
+    }
+
     /// One number everywhere.
     #[inline(always)]
     pub fn of(number: T) -> Self {

@@ -90,13 +90,13 @@ impl<S: Reversed, R: Root<S>, C: Element<S>, P: Tip<S>, M, L: BodyLaw<S>> PastGr
 }
 
 /// Under struts.
-impl<S, R, C, P, M, L, const D: usize, const N: usize> PastGradient<'_, S, R, C, P, M, Struts<S::Scalar, D, N, L>>
+impl<S, R, C, P, M, L, W, const D: usize, const N: usize> PastGradient<'_, S, R, C, P, M, Struts<S::Scalar, D, N, L, W>>
 where
     S: ReversiblePoints<D>,
     R: Root<S>,
     C: Element<S>,
     P: Tip<S>,
-    Struts<S::Scalar, D, N, L>: BodyLaw<S, OfNumbers = OfStruts<S::Scalar, D, N>>,
+    Struts<S::Scalar, D, N, L, W>: BodyLaw<S, OfNumbers = OfStruts<S::Scalar, D, N>>,
 {
     /// By the numbers of each strut: [`Gradient::by_struts`](crate::sensitivity::Gradient::by_struts).
     pub fn by_struts(&self) -> &[ByStrut<S::Scalar, D>; N] {
@@ -138,7 +138,10 @@ where
     /// # assert!((by_stiffness - expected).abs() < 1e-5 * expected.abs(), "{by_stiffness} {expected}");
     /// # Ok::<(), catena::Error>(())
     /// ```
-    pub fn along_struts<const K: usize>(&self, struts: &[Strut<Jet<S::Scalar, K>, D>; N]) -> [S::Scalar; K] {
+    pub fn along_struts<V, const K: usize>(&self, struts: &[Strut<Jet<S::Scalar, K>, D, V>; N]) -> [S::Scalar; K]
+    where
+        V: Lift<Jet<S::Scalar, K>, S::Scalar, Over = W>,
+    {
         self.steps.along_struts(struts)
     }
 }

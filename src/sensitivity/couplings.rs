@@ -6,6 +6,7 @@ use crate::adjoint::struts::{ByStrut, OfStruts, ReversiblePoints};
 use crate::adjoint::{BodyLaw, Reversed};
 use crate::couplings::Couplings;
 use crate::element::Element;
+use crate::lift::Lift;
 use crate::scalar::Jet;
 use crate::struts::{Strut, Struts};
 use num_traits::Zero;
@@ -64,12 +65,12 @@ where
 }
 
 /// Beside struts.
-impl<S, E, L, const K: usize, const D: usize, const N: usize>
-    Gradient<S, E, Couplings<S::Scalar, K, Struts<S::Scalar, D, N, L>>>
+impl<S, E, L, W, const K: usize, const D: usize, const N: usize>
+    Gradient<S, E, Couplings<S::Scalar, K, Struts<S::Scalar, D, N, L, W>>>
 where
     S: ReversiblePoints<D>,
     E: Element<S>,
-    Couplings<S::Scalar, K, Struts<S::Scalar, D, N, L>>:
+    Couplings<S::Scalar, K, Struts<S::Scalar, D, N, L, W>>:
         BodyLaw<S, OfNumbers = ([S::Scalar; K], OfStruts<S::Scalar, D, N>)>,
 {
     /// By the numbers of each strut, as without couplings.
@@ -78,7 +79,10 @@ where
     }
 
     /// The gradient along the seeds of the same struts over jets, as without couplings.
-    pub fn along_struts<const J: usize>(&self, struts: &[Strut<Jet<S::Scalar, J>, D>; N]) -> [S::Scalar; J] {
+    pub fn along_struts<V, const J: usize>(&self, struts: &[Strut<Jet<S::Scalar, J>, D, V>; N]) -> [S::Scalar; J]
+    where
+        V: Lift<Jet<S::Scalar, J>, S::Scalar, Over = W>,
+    {
         along(self.by_struts(), struts)
     }
 }

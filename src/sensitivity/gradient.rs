@@ -114,7 +114,7 @@ pub struct Gradient<S: Reversed, E: Element<S>, L: BodyLaw<S> = Absent> {
 
 impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Gradient<S, E, L> {
     /// Nothing yet.
-    pub(super) fn none(elements: &E, zero: &E::Rate) -> Self {
+    pub(super) fn none(elements: &E, zero: &E::Rate, law: &L) -> Self {
         let (of_body, of_number, of_joint) = S::of_nothing();
         Self {
             start: Costate { position: zero.clone(), rate: zero.clone(), time: Additive::null() },
@@ -123,7 +123,7 @@ impl<S: Reversed, E: Element<S>, L: BodyLaw<S>> Gradient<S, E, L> {
             place: S::Vector::null(),
             ground: S::Angular::null(),
             tip: S::no_tip(),
-            law: L::of_nothing(),
+            law: law.of_nothing(),
             bodies: elements.store::<PerBody<_>>(of_body),
             numbers: elements.store::<PerBody<_>>(of_number),
             joints: elements.store::<PerJoint<_>>(of_joint),

@@ -8,11 +8,11 @@ use crate::lift::Lift;
 use crate::scalar::{Jet, Scalar};
 use crate::struts::{Strut, Struts};
 
-impl<S, E, L, const D: usize, const N: usize> Gradient<S, E, Struts<S::Scalar, D, N, L>>
+impl<S, E, L, W, const D: usize, const N: usize> Gradient<S, E, Struts<S::Scalar, D, N, L, W>>
 where
     S: ReversiblePoints<D>,
     E: Element<S>,
-    Struts<S::Scalar, D, N, L>: BodyLaw<S, OfNumbers = OfStruts<S::Scalar, D, N>>,
+    Struts<S::Scalar, D, N, L, W>: BodyLaw<S, OfNumbers = OfStruts<S::Scalar, D, N>>,
 {
     /// By the numbers of each strut. Where its ends meet, those by its damping and its length read zero, if it has neither: there they have no
     /// derivative.
@@ -48,15 +48,18 @@ where
     /// # assert!((by_stiffness - (end_of(40.01)? - end_of(39.99)?) / 0.02).abs() < 1e-6 * by_stiffness.abs());
     /// # Ok::<(), catena::Error>(())
     /// ```
-    pub fn along_struts<const K: usize>(&self, struts: &[Strut<Jet<S::Scalar, K>, D>; N]) -> [S::Scalar; K] {
+    pub fn along_struts<V, const K: usize>(&self, struts: &[Strut<Jet<S::Scalar, K>, D, V>; N]) -> [S::Scalar; K]
+    where
+        V: Lift<Jet<S::Scalar, K>, S::Scalar, Over = W>,
+    {
         along(self.by_struts(), struts)
     }
 }
 
 /// Derivatives by numbers of struts, along the seeds of the same over jets.
-pub(super) fn along<T: Scalar, const D: usize, const N: usize, const K: usize>(
+pub(super) fn along<T: Scalar, V: Lift<Jet<T, K>, T>, const D: usize, const N: usize, const K: usize>(
     by_struts: &[ByStrut<T, D>; N],
-    struts: &[Strut<Jet<T, K>, D>; N],
+    struts: &[Strut<Jet<T, K>, D, V>; N],
 ) -> [T; K] {
     let mut sum = [T::zero(); K];
     for (strut, mut by) in struts.iter().zip(*by_struts) {

@@ -82,7 +82,7 @@ pub trait Around<S: Space, K: Closing<S>>: Selective<S> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` takes no walk `{W}`: functions of lists do not know it, no gradient of a run goes backward through it, or `Taylor` knows no series of its motion",
     label = "not known to this walk",
-    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider`, `ElasticHinge` and `Network` of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld`, `Revolute`, `Prismatic`, `Cylindrical`, `Universal` and `ElasticHinge`, and `Driven` joints whose law can be lifted, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those but for `Cylindrical`, `Universal` and `ElasticHinge` of space",
+    note = "gradients know `Rod`, `RigidBody`, `PointMass`, `Pin`, `Weld`, `Slider`, `ElasticHinge` and `Network` of the plane, and of space `Rod`, `RigidBody`, `PointMass`, `Ball`, `Weld`, `Revolute`, `Prismatic`, `Cylindrical`, `Universal` and `ElasticHinge`, and `Driven` joints whose law can be lifted, in tuples, arrays, vectors and branches, with names or without; `Taylor` knows those but for `Driven` joints and, in space, `Cylindrical`, `Universal` and `ElasticHinge`",
     note = "functions of lists know `BodyAxes`, `Hinge`, `Slide` and `Link`; joints that are driven or have modes they do not: accelerations of such scenes are those of `System::with_accelerations`",
     note = "gradients of all scenes go by jets or dual numbers; `Dop853` runs all scenes"
 )]

@@ -21,8 +21,8 @@ pub(super) struct Taken<R> {
     pub(super) size: R,
     /// Whether the step ends the run.
     pub(super) last: bool,
-    /// Whether the step was cut for a kink.
-    pub(super) cut: bool,
+    /// The size (s) that the step would have had, if it was cut for a kink.
+    pub(super) cut: Option<R>,
     /// Whether a kink is where the step ends.
     pub(super) kink: bool,
     /// Whether a mode changes where the step ends.
@@ -73,7 +73,7 @@ where
                 return Err(self.given_up(error, tolerance));
             }
             let mut outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
-            let mut taken = Taken { size, last, cut: false, kink: false, switches: false };
+            let mut taken = Taken { size, last, cut: None, kink: false, switches: false };
             if const { Self::KINKS > 0 } && outcome.is_ok() {
                 outcome = self.end_at_kink(&mut taken);
             }
@@ -81,7 +81,7 @@ where
                 outcome?;
                 return Ok(taken);
             };
-            let (tried, Taken { size, last, cut, .. }) = (size, taken);
+            let Taken { size, last, cut, .. } = taken;
             let error = self.judge(outcome, size, tolerance)?;
             let trials = &mut self.progress.trials;
             let accepts = trials.accepts(error);
@@ -105,7 +105,7 @@ where
             let factor = if self.progress.careful || last { factor.min(one) } else { factor };
             self.progress.careful = false;
             // Nor says one cut for a kink how long those after it should be.
-            self.progress.size = if cut { tried } else { size * factor };
+            self.progress.size = cut.unwrap_or(size * factor);
             return Ok(taken);
         }
     }

@@ -123,7 +123,12 @@ where
         if const { Self::CUTS } {
             self.settle_anew()?;
         }
-        // An event where it stands was seen.
+        // An event where it stands was seen; what it has led to, another motion maybe, says nothing of the next step.
+        if self.progress.at_event
+            && let Control::Tolerance(tolerance) = control
+        {
+            (self.progress.size, self.progress.careful) = (self.progress.size.min(self.first_step(tolerance)), true);
+        }
         self.value = if self.progress.at_event { None } else { self.value(Shown::Past)? };
         self.progress.stopped = false;
         Ok(())
@@ -255,14 +260,16 @@ where
         let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(4.0) * (self.past.time.abs() + size);
         let rounding = rounding.min(every * RealOf::<S>::of(0.25));
         let slack = 1e-9 * (every / size).as_f64().min(1.0) + (rounding / size).as_f64();
+        // None is shown before an event that is earlier.
+        let until = if share < 1.0 { share } else { 1.0 + slack };
         loop {
             let time = start + every * RealOf::<S>::of(self.progress.samples as f64);
             let theta = ((time - self.past.time) / size).as_f64();
-            if theta > share + slack {
+            if theta > until {
                 return;
             }
             self.progress.samples += 1;
-            if theta >= 1.0 - slack {
+            if share >= 1.0 && theta >= 1.0 - slack {
                 self.show(Shown::Next, false);
             } else {
                 self.interpolate(size, theta);

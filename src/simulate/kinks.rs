@@ -16,6 +16,10 @@ use crate::time::Control;
 /// Under error control a step whose kink lies beyond this share of what was tried ends before it, at a share of the way.
 const CLOSE: f64 = 0.15;
 const NEAR: f64 = 0.9;
+/// A function that has more than this share of its value before where a step ends near its zero has none there.
+const DISTANT: f64 = 0.5;
+/// Where dense output was wrong of a kink nearby a step of this share is looked at.
+const SHORTER: f64 = 0.2;
 /// The share of its value before at which a function is about zero.
 const ABOUT: f64 = 1e-2;
 /// By how much more than what ends a step at zero a function may differ from zero where the next one begins, beside its end.
@@ -55,32 +59,50 @@ where
     /// Ends a trial step where the first of all functions crosses zero, if one does: by steps made anew, so that the rule's order is that of
     /// the place found.
     pub(super) fn end_at_kink(&mut self, step: &mut Taken<RealOf<S>>) -> Result<(), Error> {
-        if let Control::Tolerance(_) = self.plan.rule.control {
-            let Some(about) = self.first_kink(step.size, ABOUT)? else { return Ok(()) };
-            // A step that is long leads near that place first: its stages err by more than its end, and would lie beyond. If it was far
-            // too long, dense output is wrong: a place nearby is looked for in a step that is short.
-            let far = about.share > CLOSE;
-            let share = if far { NEAR * about.share } else { (2.0 * about.share).min(1.0) };
-            (step.cut, step.last) = (true, step.last && share >= 1.0);
-            if share < 1.0 {
-                step.size *= RealOf::<S>::of(share);
-                let memory = self.stepper.memory();
-                self.make_anew(&memory, step.size)?;
-            }
-            if far {
-                return Ok(());
-            }
-        }
+        let mut found = match self.plan.rule.control {
+            Control::Fixed(_) => self.first_kink(step.size, Self::nothing())?,
+            Control::Tolerance(_) => self.about_kink(step)?,
+        };
         // A step made shorter may have another kink before its end, of which dense output of the longer one did not know.
         for _ in 0..=Self::KINKS {
-            let Some(found) = self.first_kink(step.size, Self::nothing())? else { break };
-            (step.cut, step.kink) = (true, true);
-            if found.share >= 1.0 {
+            let Some(crossing) = found else { break };
+            (step.cut, step.kink) = (step.cut.or(Some(step.size)), true);
+            if crossing.share >= 1.0 {
                 break;
             }
-            (step.size, step.last) = (self.made_up_to(&found, step.size)?, false);
+            (step.size, step.last) = (self.made_up_to(&crossing, step.size)?, false);
+            found = self.first_kink(step.size, Self::nothing())?;
         }
         Ok(())
+    }
+
+    /// Makes a trial step shorter, so that it ends about where the first of all functions crosses zero, or before; gives the one that crosses zero in it.
+    fn about_kink(&mut self, step: &mut Taken<RealOf<S>>) -> Result<Option<Crossing>, Error> {
+        let memory = self.stepper.memory();
+        let anew = |run: &mut Self, step: &mut Taken<RealOf<S>>, size: RealOf<S>| {
+            (step.size, step.last) = (size, false);
+            run.make_anew(&memory, size)
+        };
+        while let Some(about) = self.first_kink(step.size, ABOUT)? {
+            let (tried, share) = (step.size, about.share);
+            // A step that is long leads near that place first: its stages err by more than its end, and would lie beyond. If it was far
+            // too long, dense output is wrong: a place nearby is looked for in a step that is short.
+            if share > CLOSE {
+                anew(self, step, tried * RealOf::<S>::of(NEAR * share))?;
+                self.evaluate(Shown::Next);
+                let (before, value) = (about.from.1, self.kink(about.number, Shown::Next)?);
+                step.cut = (value.abs() <= DISTANT * before.abs()).then_some(tried);
+                return if crosses([before, value]) { self.first_kink(step.size, Self::nothing()) } else { Ok(None) };
+            }
+            anew(self, step, tried * RealOf::<S>::of(2.0 * share))?;
+            let found = self.first_kink(step.size, Self::nothing())?;
+            if found.is_some() {
+                step.cut = Some(tried);
+                return Ok(found);
+            }
+            anew(self, step, tried * RealOf::<S>::of(SHORTER))?;
+        }
+        Ok(None)
     }
 
     /// The function that crosses zero first, by dense output: there it is nothing beside its value before.

@@ -62,6 +62,9 @@ pub struct Run<M> {
     pub rejected: usize,
     /// Sweeps made, without those of readings.
     pub sweeps: usize,
+    /// Whether an event has ended it.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pub at_event: bool,
 }
 
 /// Why a run ended early, and how far it came.

@@ -244,8 +244,9 @@ where
     /// Steps until one ends at a time (s) or later, which cuts none of them short.
     ///
     /// # Errors
-    /// As [`step`](Self::step).
+    /// As [`step`](Self::step); [`Fault::NotFinite`](crate::Fault::NotFinite) for a time that is no number.
     pub fn until(&mut self, time: RealOf<S>) -> Result<(), Error> {
+        ensure_finite(time <= RealOf::<S>::INFINITY, "time until which a run is to go on")?;
         while self.past.time < time && self.step()? {}
         Ok(())
     }
@@ -277,7 +278,7 @@ where
             }
         }
         let (sweeps, Progress { steps, rejected, .. }) = (self.sweeps(), self.progress);
-        Ok(Run { motion: self.past, steps, rejected, sweeps })
+        Ok(Run { motion: self.past, steps, rejected, sweeps, at_event: self.progress.stopped })
     }
 }
 

@@ -24,7 +24,7 @@ impl<const N: usize> ByBody<N> {
     const NONE: u16 = u16::MAX;
 
     #[inline(always)]
-    pub(super) fn of<T, const D: usize>(struts: &[Strut<T, D>; N]) -> Self {
+    pub(super) fn of<T, const D: usize, W>(struts: &[Strut<T, D, W>; N]) -> Self {
         let mut lists = Self { bodies: 0, first: [Self::NONE; LISTS], next: [[Self::NONE; 2]; N] };
         for k in (0..N).rev() {
             let [from, to] = struts[k].ends.each_ref().map(|end| match end {

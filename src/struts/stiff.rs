@@ -1,13 +1,15 @@
 //! Struts whose stiffness implicit rules know: their forces go with the accelerations that they cause, f = f(q, v) + K̂ J (a − a₀).
 
-use super::{Points, Strut, Struts, dot, is_absent, norm};
-use crate::element::{Loading, RealOf};
+use super::strut::line;
+use super::{Points, Strut, Struts, dot, is_absent};
+use crate::element::{Loading, RealOf, Springs};
 use crate::error::Fault;
 use crate::lift::Lift;
-use crate::loading::{LARGER, Yields};
+use crate::loading::{Each, LARGER, Yields, balanced};
 use crate::mirror::Rate;
-use crate::relation::WrenchOf;
+use crate::relation::{Absent, WrenchOf};
 use crate::scalar::{Real, Scalar};
+use crate::spring::SpringLaw;
 use nalgebra::SVector;
 use num_traits::{One, Zero};
 
@@ -18,7 +20,7 @@ use num_traits::{One, Zero};
 /// use for a few struts that are stiff, as suspensions and buffers are. [`GeneralizedAlpha`](crate::planar::GeneralizedAlpha) keeps its order at
 /// any stiffness; [`Sdirk4`](crate::planar::Sdirk4) has order 4 where steps resolve the vibration, and falls to order 1 in rates where they are far
 /// longer and the strut turns, for its stages lie on no common curve. Explicit rules, equilibria, modes and readings are those of [`Struts`].
-/// Counts of sweeps count them as one. Loads beside them are `Copy`: torques in arrays, not in vectors. Gradients backward take [`Struts`], [`Couplings`](crate::planar::Couplings) stand beside those alone.
+/// Counts of sweeps count them as one. Loads beside them are `Copy`: torques in arrays, not in vectors. Gradients backward take [`Struts`]. Joints that follow others stand before them: `couplings.and(struts.stiff())`, which takes so many sweeps for each of theirs.
 ///
 /// ```
 /// use catena::planar::*;
@@ -37,12 +39,12 @@ use num_traits::{One, Zero};
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "Struts<T, D, N, L>: serde::Serialize",
-        deserialize = "Struts<T, D, N, L>: serde::Deserialize<'de>"
+        serialize = "Struts<T, D, N, L, W>: serde::Serialize",
+        deserialize = "Struts<T, D, N, L, W>: serde::Deserialize<'de>"
     ))
 )]
-pub struct StiffStruts<T, const D: usize, const N: usize, L = crate::loading::Unloaded> {
-    struts: Struts<T, D, N, L>,
+pub struct StiffStruts<T, const D: usize, const N: usize, L = crate::loading::Unloaded, W = Absent> {
+    struts: Struts<T, D, N, L, W>,
     /// Forces (N) on first ends, while sweeps ask what they cause.
     #[cfg_attr(feature = "serde", serde(skip, default = "no_forces"))]
     given: Option<[SVector<T, D>; N]>,
@@ -53,90 +55,68 @@ fn no_forces<T, const D: usize, const N: usize>() -> Option<[SVector<T, D>; N]> 
     None
 }
 
-impl<T, const D: usize, const N: usize, L> Struts<T, D, N, L> {
+impl<T, const D: usize, const N: usize, L, W> Struts<T, D, N, L, W> {
     /// Struts whose stiffness implicit rules know, of these.
-    pub fn stiff(self) -> StiffStruts<T, D, N, L> {
+    pub fn stiff(self) -> StiffStruts<T, D, N, L, W> {
         StiffStruts { struts: self, given: None }
     }
 }
 
-impl<T, const D: usize, const N: usize, L> StiffStruts<T, D, N, L> {
+impl<T, const D: usize, const N: usize, L, W> StiffStruts<T, D, N, L, W> {
     /// The struts, and what acts besides.
-    pub fn plain(&self) -> &Struts<T, D, N, L> {
+    pub fn plain(&self) -> &Struts<T, D, N, L, W> {
         &self.struts
     }
 }
 
-/// A number for each direction of each strut.
-type Each<T, const D: usize, const N: usize> = [[T; D]; N];
-
 /// The directions in which a strut yields, the first one along it, and K̂ in each.
-fn yielding<T: Scalar, const D: usize>(
-    strut: &Strut<T, D>,
+fn yielding<T: Scalar, const D: usize, W: SpringLaw<T>>(
+    strut: &Strut<T, D, W>,
     ends: [[SVector<T, D>; 2]; 2],
-    pivot: &impl Fn(T, T) -> T,
+    springs: impl Springs<T>,
 ) -> ([SVector<T, D>; D], [T; D]) {
-    let Strut { mut stiffness, mut damping, length, .. } = *strut;
+    let Strut { stiffness, damping, length, .. } = *strut;
     let unit = |k| SVector::from_fn(|row, _| if row == k { T::one() } else { T::zero() });
     if strut.has_no_direction() {
-        return (core::array::from_fn(unit), [pivot(stiffness, T::zero()); D]);
+        return (core::array::from_fn(unit), [springs.pivot(stiffness, T::zero()); D]);
     }
-    let apart = ends[1][0] - ends[0][0];
-    let far = norm(apart);
-    let direction = apart * far.recip();
+    let (direction, far, rate) = line(ends);
     // One that hangs slack does not yield.
-    let stretch = far - length;
-    let tension = damping.mul_add(dot(direction, ends[1][1] - ends[0][1]), stiffness * stretch);
-    (stiffness, damping) = (strut.acting(stretch, tension, stiffness), strut.acting(stretch, tension, damping));
+    let (stretch, tension) = (far - length, strut.tension(far, rate));
+    let acting = |x| strut.acting(stretch, tension, x);
+    let along = springs.pivot(stiffness, damping);
+    let along = acting(if W::ON { along + strut.law.pivot(far, rate, springs) } else { along });
+    let along = along.if_negative(T::zero(), along); // what drives on is no resistance
     // The reflection that takes the first axis to the strut, or against it: not where both nearly agree.
     let lead = direction[0].if_negative(-T::one(), T::one());
     let normal = direction + unit(0) * lead;
     let share = (T::one() + direction[0] * lead).recip();
     let axes = core::array::from_fn(|k| unit(k) - normal * (normal[k] * share));
     // A strut that pulls is drawn back across, too; one that pushes would drive further.
-    let across = stiffness - stiffness * length * far.recip();
-    let across = pivot(across.if_negative(T::zero(), across), T::zero());
-    (axes, core::array::from_fn(|k| if k == 0 { pivot(stiffness, damping) } else { across }))
+    let mut across = stiffness - stiffness * length * far.recip();
+    if W::ON {
+        across -= strut.law.force(far, T::zero()) * far.recip();
+    }
+    let across = springs.pivot(acting(across.if_negative(T::zero(), across)), T::zero());
+    (axes, core::array::from_fn(|k| if k == 0 { along } else { across }))
 }
 
-/// The solution of Σⱼ xⱼ aⱼ = b, by columns aⱼ, by Gauss without exchanges: of 1 + K̂ G, with G not negative, all leading minors are one at least.
-fn solved<T: Scalar, const D: usize, const N: usize>(
-    mut columns: Each<Each<T, D, N>, D, N>,
-    mut b: Each<T, D, N>,
-) -> Each<T, D, N> {
-    let (columns, x) = (columns.as_flattened_mut(), b.as_flattened_mut());
-    for k in 0..x.len() {
-        let inverse = columns[k].as_flattened()[k].recip();
-        for row in k + 1..x.len() {
-            let share = columns[k].as_flattened()[row] * inverse;
-            for column in &mut columns[k + 1..] {
-                let column = column.as_flattened_mut();
-                column[row] -= share * column[k];
-            }
-            x[row] -= share * x[k];
-        }
-    }
-    for k in (0..x.len()).rev() {
-        let known = (k + 1..x.len()).fold(x[k], |sum, later| sum - columns[later].as_flattened()[k] * x[later]);
-        x[k] = known * columns[k].as_flattened()[k].recip();
-    }
-    b
-}
-
-impl<S, L, const D: usize, const N: usize> Loading<S> for StiffStruts<S::Scalar, D, N, L>
+impl<S, L, const D: usize, const N: usize, W> Loading<S> for StiffStruts<S::Scalar, D, N, L, W>
 where
     S: Points<D>,
     L: Loading<S> + Copy,
+    W: SpringLaw<S::Scalar>,
 {
     type OnBody = WrenchOf<S>;
     type InJoint = L::InJoint;
-    type Seen = <Struts<S::Scalar, D, N, L> as Loading<S>>::Seen;
+    type Seen = <Struts<S::Scalar, D, N, L, W> as Loading<S>>::Seen;
     const ON: bool = true;
     const SURVEYS: bool = true;
     const YIELDS: Yields = Yields::Together;
 
     fn nothing() -> (WrenchOf<S>, L::InJoint) {
-        Struts::<S::Scalar, D, N, L>::nothing()
+        const { assert!(!L::SURVEYS, "struts that are stiff stand in one array, and none beside it") }
+        Struts::<S::Scalar, D, N, L, W>::nothing()
     }
     #[cfg_attr(optimised, inline(always))]
     fn unseen(&self) -> Self::Seen {
@@ -159,14 +139,14 @@ where
     fn yielded<V: Rate<S::Scalar>>(
         &self,
         (read, led): (&Self::Seen, &V),
-        pivot: impl Fn(S::Scalar, S::Scalar) -> S::Scalar,
+        springs: impl Springs<S::Scalar>,
         see: impl Fn(&V) -> Self::Seen,
         acceleration: &mut V,
         mut sweep: impl FnMut(&Self, bool, &mut V),
     ) {
         let (zero, real) = (S::Scalar::zero(), RealOf::<S>::of);
         let ends = &read.0.ends;
-        let ways: [_; N] = core::array::from_fn(|k| yielding(&self.struts.struts[k], ends[k], &pivot));
+        let ways: [_; N] = core::array::from_fn(|k| yielding(&self.struts.struts[k], ends[k], springs));
         // What accelerations part the ends of struts by, along the ways of each.
         let parting = |a: &V| -> Each<S::Scalar, D, N> {
             let seen = see(a);
@@ -206,14 +186,17 @@ where
                 })
             })
         });
-        let more = solved(columns, asked);
+        // Of 1 + K̂ G, with G not negative, all leading minors are one at least.
+        let more = balanced(columns, |_| RealOf::<S>::zero(), asked);
         let forces = core::array::from_fn(|k| (0..D).fold(start[k], |force, d| force + ways[k].0[d] * more[k][d]));
         swept(forces, true, acceleration);
     }
 }
 
-impl<T: Scalar, U: Scalar, const D: usize, const N: usize, L: Lift<T, U>> Lift<T, U> for StiffStruts<T, D, N, L> {
-    type Over = StiffStruts<U, D, N, L::Over>;
+impl<T: Scalar, U: Scalar, const D: usize, const N: usize, L: Lift<T, U>, W: Lift<T, U>> Lift<T, U>
+    for StiffStruts<T, D, N, L, W>
+{
+    type Over = StiffStruts<U, D, N, L::Over, W::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         self.struts.lift(number).stiff()
     }

@@ -1,7 +1,9 @@
 //! A spring and damper between two points.
 
 use crate::lift::Lift;
+use crate::relation::Absent;
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use nalgebra::SVector;
 
 /// An end of a strut: a point of a body (its number, and the point in its axes from its inboard end), or of the ground (m).
@@ -30,8 +32,8 @@ pub(crate) enum Acts {
 }
 
 /// A massless spring and damper between two points. Its force acts along the line between them: k (ℓ − ℓ₀) + c ℓ̇ pulls the ends
-/// together. Where they meet the line has no direction: a strut with a length or a damper must keep them apart, or its force is NaN, which
-/// sweeps refuse as [`NonFiniteLoad`](crate::Fault::NonFiniteLoad) at a body where it ends. [`Struts::readings`](super::Struts::readings) tells lengths, tensions and energies.
+/// together. Where they meet the line has no direction: a strut with a length, a damper or a law must keep them apart, or its force is NaN, which
+/// sweeps refuse as [`NonFiniteLoad`](crate::Fault::NonFiniteLoad) at a body where it ends. What else acts between them a [law](Self::with_law) says. [`Struts::readings`](super::Struts::readings) tells lengths, tensions and energies.
 ///
 /// ```
 /// use catena::planar::*;
@@ -50,17 +52,18 @@ pub(crate) enum Acts {
 #[cfg_attr(
     feature = "serde",
     serde(bound(
-        serialize = "[T; D]: serde::Serialize, T: serde::Serialize",
-        deserialize = "[T; D]: serde::Deserialize<'de>, T: serde::Deserialize<'de>"
+        serialize = "[T; D]: serde::Serialize, T: serde::Serialize, W: serde::Serialize",
+        deserialize = "[T; D]: serde::Deserialize<'de>, T: serde::Deserialize<'de>, W: serde::Deserialize<'de>"
     ))
 )]
-pub struct Strut<T, const D: usize> {
+pub struct Strut<T, const D: usize, W = Absent> {
     pub(crate) ends: [End<T, D>; 2],
     pub(crate) stiffness: T,
     pub(crate) damping: T,
     pub(crate) length: T,
     #[cfg_attr(feature = "serde", serde(default))]
     pub(crate) acts: Acts,
+    pub(crate) law: W,
 }
 
 impl<T: Scalar, const D: usize> Strut<T, D> {
@@ -75,9 +78,60 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
     }
 
     fn new(from: End<T, D>, to: End<T, D>) -> Self {
-        Self { ends: [from, to], stiffness: T::zero(), damping: T::zero(), length: T::zero(), acts: Acts::Both }
+        let none = T::zero();
+        Self { ends: [from, to], stiffness: none, damping: none, length: none, acts: Acts::Both, law: Absent }
     }
 
+    /// With a law between its ends besides, one of the user's own for example: the coordinate of the [`SpringLaw`] is their distance ℓ (m), its rate ℓ̇ (m/s) how
+    /// fast they part, and its force (N) pushes them apart. A strut that only pulls or pushes does so by the
+    /// sum of all that acts in it, on its side of its [length](Self::with_length). Struts of one array have laws of one type; where they differ, take an enum, or
+    /// one array beside another: `Struts::of(..).and(Struts::of(..))`. Gradients backward, and struts that are [stiff](super::Struts::stiff), take one array; gradients know [`Spring`](crate::planar::Spring),
+    /// [`Stops`](crate::planar::Stops), tuples of such, and laws of the user's own as [`Custom`](crate::planar::Custom).
+    ///
+    /// ```
+    /// use catena::planar::*;
+    /// use catena::{Fault, Scalar};
+    ///
+    /// /// A shock absorber that resists less where it is pressed together: −c ℓ̇ with one damping (N·s/m) for each way.
+    /// #[derive(Clone, Copy, Debug)]
+    /// struct Absorber<T> {
+    ///     pressed: T,
+    ///     drawn: T,
+    /// }
+    /// catena::lift!(Absorber<T> { pressed, drawn });
+    ///
+    /// impl<T: Scalar> SpringLaw<T> for Absorber<T> {
+    ///     fn force(&self, _: T, rate: T) -> T {
+    ///         -rate.if_negative(self.pressed, self.drawn) * rate
+    ///     }
+    ///     fn energy(&self, _: T) -> T {
+    ///         T::zero()
+    ///     }
+    ///     fn pivot(&self, _: T, rate: T, springs: impl Springs<T>) -> T {
+    ///         springs.pivot(T::zero(), rate.if_negative(self.pressed, self.drawn))
+    ///     }
+    ///     fn check(&self) -> Result<(), Fault> {
+    ///         if self.pressed.is_finite() && self.drawn.is_finite() { Ok(()) } else { Err(Fault::NotFinite { parameter: "absorber" }) }
+    ///     }
+    /// }
+    ///
+    /// let arm = Rod::uniform(0.4, 12.0);
+    /// let scene = System::new(Pinned::origin(), arm, Free)?.with_gravity(9.81);
+    /// let leg = Strut::to_ground((0, [0.35, 0.0]), [0.3, 0.5]).with_stiffness(8e3).with_length(0.45);
+    /// let struts = Struts::of([leg.with_law(Absorber { pressed: 300.0, drawn: 900.0 })]);
+    /// let run = scene.simulation(Dop853::tolerance(1e-9)).loads(&struts).run(scene.at_rest(&[0.2])?, 2.0, |_| ())?;
+    /// let rest = scene.equilibrium(run.motion, &struts)?;
+    /// assert!((run.motion.coordinates()[0] - rest.coordinates()[0]).abs() < 1e-4);
+    /// # Ok::<(), catena::Error>(())
+    /// ```
+    #[must_use]
+    pub fn with_law<W: SpringLaw<T>>(self, law: W) -> Strut<T, D, W> {
+        let Self { ends, stiffness, damping, length, acts, .. } = self;
+        Strut { ends, stiffness, damping, length, acts, law }
+    }
+}
+
+impl<T: Scalar, const D: usize, W: SpringLaw<T>> Strut<T, D, W> {
     /// With a stiffness (N/m).
     #[must_use]
     pub fn with_stiffness(self, stiffness: T) -> Self {
@@ -97,9 +151,12 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
     }
 
     /// This strut as a rope: it only pulls, its damper too, and hangs slack where it is shorter than its length. Where it becomes taut its force has a
-    /// kink, which error control finds, and which [`kinks`](crate::simulate::Simulation::kinks) of a run tell it. Steps of a fixed size that are longer
-    /// than the vibration of a [stiff](super::Struts::stiff) rope throw back what it catches; `MoreauJean`, and `Sdirk4` under error control, catch it: a block
-    /// that falls by half a metre into 1e8 N/m takes 42 steps to 1e-4, where `Dop853` takes 12 869.
+    /// kink, and with a damper a jump, by c ℓ̇. Error control shortens steps there, but may overlook a vibration that is over within a step: then errors are
+    /// thousands of times the tolerance, once in ten to a hundred runs of a block that bounces. [`kinks`](crate::simulate::Simulation::kinks) of a run tell
+    /// it. A damper that brings the tension to zero lets go before the rope is short, which is another kink. Derivatives do not know how the instant
+    /// of a jump changes: gradients backward through one are refused, and those over jets wrong; so they are where a law begins with a force. Steps of a fixed size that are
+    /// longer than the vibration of a [stiff](super::Struts::stiff) rope throw back what it catches; `MoreauJean`, and `Sdirk4` under error control, catch
+    /// it: a block of 2 kg that falls by half a metre into 1e8 N/m and 1e5 N·s/m takes 42 steps for 2 s to 1e-4, where `Dop853` takes 11 395.
     ///
     /// ```
     /// use catena::planar::*;
@@ -117,7 +174,7 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
         Self { acts: Acts::Pulls, ..self }
     }
 
-    /// This strut as a buffer: it only pushes, its damper too, where it is shorter than its length. Its force has a kink as that of a [rope](Self::pulling).
+    /// This strut as a buffer: it only pushes, its damper too, where it is shorter than its length, which it needs. Its force has a kink as that of a [rope](Self::pulling).
     #[must_use]
     pub fn pushing(self) -> Self {
         Self { acts: Acts::Pushes, ..self }
@@ -139,34 +196,50 @@ impl<T: Scalar, const D: usize> Strut<T, D> {
         from.max(to)
     }
 
-    /// Energy stored (J), for the places of its ends (m).
+    /// Energy stored (J), for the places of its ends (m); none where a rope is slack, or a buffer is not pressed.
     pub fn energy(&self, from: SVector<T, D>, to: SVector<T, D>) -> T {
         let (apart, half) = (to - from, crate::scalar::Real::of(0.5));
-        if is_absent(self.length) && self.acts == Acts::Both {
+        if !W::ON && is_absent(self.length) && self.acts == Acts::Both {
             return (self.stiffness * dot(apart, apart)).scale(half);
         }
         let stretch = norm(apart) - self.length;
         let energy = (self.stiffness * stretch * stretch).scale(half);
-        self.acting(stretch, stretch, energy)
+        let energy = if W::ON { energy + self.law.energy(norm(apart)) } else { energy };
+        let tension = if W::ON { self.tension(norm(apart), T::zero()) } else { stretch };
+        self.acting(stretch, tension, energy)
     }
 
     /// Force (N) on the strut's first end, for place and velocity of both.
-    pub(crate) fn force(&self, [from, to]: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
-        let (apart, parting) = (to[0] - from[0], to[1] - from[1]);
+    pub(crate) fn force(&self, ends: [[SVector<T, D>; 2]; 2]) -> SVector<T, D> {
         // A spring without length and a damper that is not there have no need of a direction: their ends may meet.
         if self.has_no_direction() {
-            return apart * self.stiffness;
+            return (ends[1][0] - ends[0][0]) * self.stiffness;
         }
-        let direction = apart * norm(apart).recip();
-        let stretch = norm(apart) - self.length;
-        let tension = self.damping.mul_add(dot(direction, parting), self.stiffness * stretch);
-        direction * self.acting(stretch, tension, tension)
+        let (direction, far, rate) = line(ends);
+        let tension = self.tension(far, rate);
+        direction * self.acting(far - self.length, tension, tension)
+    }
+
+    /// Force (N) that draws its ends together at a distance (m) and a rate (m/s) of them, if it acts.
+    pub(crate) fn tension(&self, far: T, rate: T) -> T {
+        let tension = self.damping.mul_add(rate, self.stiffness * (far - self.length));
+        if W::ON { tension - self.law.force(far, rate) } else { tension }
     }
 
     /// Whether the force of this strut is in proportion to how far its ends are apart, so that they may meet.
     pub(crate) fn has_no_direction(&self) -> bool {
-        is_absent(self.damping) && (is_absent(self.stiffness) || (is_absent(self.length) && self.acts != Acts::Pushes))
+        !W::ON
+            && is_absent(self.damping)
+            && (is_absent(self.stiffness) || (is_absent(self.length) && self.acts != Acts::Pushes))
     }
+}
+
+/// The line between two ends, for place and velocity of both: its direction, its length (m) and how fast that grows (m/s).
+pub(super) fn line<T: Scalar, const D: usize>([from, to]: [[SVector<T, D>; 2]; 2]) -> (SVector<T, D>, T, T) {
+    let apart = to[0] - from[0];
+    let far = norm(apart);
+    let direction = apart * far.recip();
+    (direction, far, dot(direction, to[1] - from[1]))
 }
 
 /// Whether a parameter is zero, and all its derivatives: one that is zero where something is differentiated by it acts.
@@ -182,14 +255,14 @@ pub(crate) fn norm<T: Scalar, const D: usize>(a: SVector<T, D>) -> T {
     dot(a, a).sqrt()
 }
 
-impl<T: Scalar, U: Scalar, const D: usize> Lift<T, U> for Strut<T, D> {
-    type Over = Strut<U, D>;
-    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Strut<U, D> {
+impl<T: Scalar, U: Scalar, const D: usize, W: Lift<T, U>> Lift<T, U> for Strut<T, D, W> {
+    type Over = Strut<U, D, W::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         let ends = self.ends.map(|end| match end {
             End::Body(k, at) => End::Body(k, at.map(&mut *number)),
             End::Ground(place) => End::Ground(place.map(&mut *number)),
         });
         let [stiffness, damping, length] = [self.stiffness, self.damping, self.length].map(&mut *number);
-        Strut { ends, stiffness, damping, length, acts: self.acts }
+        Strut { ends, stiffness, damping, length, acts: self.acts, law: self.law.lift(number) }
     }
 }

@@ -47,7 +47,7 @@ pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use inertial::{Carried, Inertial};
 #[cfg(feature = "std")]
-pub(crate) use linear::{Linear, differenced, step};
+pub(crate) use linear::{GRAVITY, Linear, differenced, step};
 #[cfg(feature = "std")]
 pub(crate) use lists::{numbers, set, unit};
 pub use series::SeriesDynamics;

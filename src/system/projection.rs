@@ -1,13 +1,15 @@
 //! How a motion is put back where its tip is held, its loops are closed and its joints are coupled.
 
 use super::corrections::{Corrections, MOST_CORRECTIONS};
-use crate::element::{Close, Condense, Element, Level, Loading, Reading, RealOf, Space, Sweep, look};
+use crate::element::{Close, Condense, Element, Level, Loading, Reading, RealOf, Space, Springs, Sweep, look};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
+use crate::shape::Kept;
 use crate::solve::riccati::{Spring, Workspace, correction, sweep};
 use crate::system::{Elements, MotionOf, System, coordinates};
+use crate::walks::copy::copy;
 
 /// Turns of closing loops and of joining what is coupled.
 const MOST_TURNS: usize = 6;
@@ -31,11 +33,13 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         }
         let (time, mut zero) = (motion.time, motion.rate.clone());
         zero.replace(&mut |_| S::Scalar::constant(RealOf::<S>::of(0.0)));
+        // What joints remember of the sweep before, which is none of those that ask what forces cause.
+        let remembered = const { <W::Springs as Springs<S::Scalar>>::STIFF }.then(|| workspace.kept.clone());
         for _ in 0..MOST_TURNS {
             let mut finite = true;
             motion.position.visit(&mut |x| finite &= x.is_finite());
             if !finite {
-                return; // closing led nowhere
+                break; // closing led nowhere
             }
             let there = loads.rejoined(&mut motion.position, &mut motion.rate, |loads, position, rate, found| {
                 let reading = Reading { position, rate, acceleration: &zero };
@@ -46,6 +50,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 break;
             }
             self.close_by(motion, workspace);
+        }
+        if let Some(remembered) = &remembered {
+            copy::<S, _, Kept<W::Closures>>(&self.chain, remembered, &mut workspace.kept);
         }
     }
 

@@ -39,7 +39,8 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// steps downhill lead to, as a straight guess to that of a beam which should buckle, is left on one of its sides. What is stiff along itself and
     /// hardly so across, as a cable that stretches, may take a hundred steps or more. A
     /// tip that the guess does not put where it is held is put there first, as by [`assembled`](Self::assembled), and so are joints that follow
-    /// others ([`Couplings`](crate::planar::Couplings)). Loads are arbitrary functions of the motion, with a potential or without.
+    /// others ([`Couplings`](crate::planar::Couplings)). Loads are arbitrary functions of the motion, with a potential or without. What the ground and
+    /// drives move goes on moving at the time of the guess: dampers there and centrifugal forces count.
     ///
     /// A step takes sixteen sweeps for each coordinate and dense algebra, so this is for some hundreds of coordinates. What is
     /// left is rounding: 4e-15 rad for a hundred links with springs, 1e-13 rad for a catenary of 150. Over dual numbers the

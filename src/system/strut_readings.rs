@@ -5,10 +5,11 @@ use crate::element::{Element, Loading};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use crate::struts::{Points, StrutReading, Struts};
 use crate::visit::survey;
 
-impl<T: Scalar, const D: usize, const N: usize, L> Struts<T, D, N, L> {
+impl<T: Scalar, const D: usize, const N: usize, L, W: SpringLaw<T>> Struts<T, D, N, L, W> {
     /// Length, rate, tension and energy of each strut in a motion. Energies of scenes ([`System::budget`]) are without those of struts.
     ///
     /// ```

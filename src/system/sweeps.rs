@@ -131,6 +131,10 @@ where
         if far && let Some(angle) = self.angle_out_of_range(motion) {
             return error(Fault::AngleOutOfRange { angle });
         }
+        if const { !R::RESTS } && !self.root.ground(motion.time).is_finite() {
+            return error(Fault::NotFinite { parameter: "motion of the ground" })
+                .map_err(|error| error.at(Place::Root));
+        }
         Ok(())
     }
 
@@ -266,9 +270,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ) where
         Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
     {
+        let (stiff, yields) = const { (<W::Springs as Springs<S::Scalar>>::STIFF, W::Loads::YIELDS.together()) };
         // What joints remember of the sweep before, which is none of those that ask what forces cause.
-        let repeats = const { W::Loads::COUPLED || W::Loads::YIELDS.together() };
-        let remembered = (repeats && <W::Springs as Springs<S::Scalar>>::STIFF).then(|| workspace.kept.clone());
+        let remembered = (stiff && (yields || W::Loads::COUPLED)).then(|| workspace.kept.clone());
         let mut swept = |loads: &W::Loads, again: bool, acceleration: &mut RateOf<S, R, C>| {
             if again && let Some(remembered) = &remembered {
                 copy::<S, _, Kept<W::Closures>>(&self.chain, remembered, &mut workspace.kept);
@@ -276,18 +280,27 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let site = Site { again, ..self.site(time, loads) };
             sweep(&self.chain, &site, position, rate, spring, workspace, acceleration);
         };
-        // A constant asks, for behind a call of `accelerated` a sweep is compiled otherwise: 1 % more instructions of some.
-        if const { W::Loads::COUPLED } {
-            loads.accelerated(PositionOf::<S, R, C>::MODES || Self::CLOSED > 0, acceleration, swept);
-        } else if const { W::Loads::YIELDS.together() && <W::Springs as Springs<S::Scalar>>::STIFF } {
+        let read = PositionOf::<S, R, C>::MODES || Self::CLOSED > 0 || stiff; // joints may remember the last sweep
+        // Constants ask, for behind a call of `accelerated` a sweep is compiled otherwise: 1 % more instructions of some.
+        if const { W::Loads::YIELDS.together() && <W::Springs as Springs<S::Scalar>>::STIFF } {
             let &Spring { reading, springs, .. } = spring;
             let see = |motion: Coordinates<'_, S, Elements<S, R, C>>| {
                 survey(&self.chain, self.root.ground(time), motion, loads)
             };
             let Reading { position: place, rate: speed, acceleration: led } = reading;
-            let read = (&see(Coordinates { position: place, rate: speed, acceleration: led }), led);
+            let before = &see(Coordinates { position: place, rate: speed, acceleration: led });
             let see = |a: &RateOf<S, R, C>| see(Coordinates { position, rate: a, acceleration: a });
-            loads.yielded(read, |k, c| springs.pivot(k, c), see, acceleration, swept);
+            let mut yielded = |loads: &W::Loads, again: bool, acceleration: &mut RateOf<S, R, C>| {
+                let swept = |loads: &W::Loads, more: bool, a: &mut RateOf<S, R, C>| swept(loads, again || more, a);
+                loads.yielded((before, led), springs, see, acceleration, swept);
+            };
+            if const { W::Loads::COUPLED } {
+                loads.accelerated(read, acceleration, yielded);
+            } else {
+                yielded(loads, false, acceleration);
+            }
+        } else if const { W::Loads::COUPLED } {
+            loads.accelerated(read, acceleration, swept);
         } else {
             swept(loads, false, acceleration);
         }

@@ -5,7 +5,7 @@ use catena::scalar::{Jet, Pack};
 use catena::simulate::EnergyDrift;
 use catena::system::Position;
 use catena::{Error, Fault, Place, robot, spatial};
-use catena_oracle::{Noise, near};
+use catena_oracle::{Noise, has_order, near};
 use catena_robots::cart;
 
 /// Three numbers from −1 to 1.
@@ -195,6 +195,99 @@ fn runs_by_all_rules_are_those_of_one_freedom() -> Result<(), Error> {
     ends!(sprung, springs, Sdirk4::new().tolerance(1e-9), 1e-6);
     ends!(sprung, springs, GeneralizedAlpha::new(0.9).step(1e-4), 1e-5);
     ends!(sprung, springs, Auto::tolerance(1e-10), 1e-7);
+    Ok(())
+}
+
+/// Beside a hinge whose linear springs, along fixed axes, remember a sweep: that under the forces that were found, in a chain and where a tip is held.
+#[test]
+fn joints_remember_the_sweep_that_counts() -> Result<(), Error> {
+    let (rod, turn) = (Rod::uniform(1.0_f64, 1.0), Revolute::smooth());
+    let hinge = ElasticHinge::linear(Spring::new(2e3).damped(5.0), Spring::new(3e3).damped(4.0)).in_fixed_axes();
+    macro_rules! orders {
+        ($chain:expr, $tip:expr, $angles:expr, $steps:expr) => {{
+            let scene = System::new(Pinned::<[f64; 2]>::origin(), $chain, $tip)?.with_gravity(GRAVITY);
+            let couplings = Couplings::of(&scene, [Coupling::new(3, 1).ratio(RATIO)])?;
+            let mut guess = scene.motion();
+            guess.set_coordinates(&$angles)?;
+            let start = scene.assembled(couplings.joined(guess), &couplings)?;
+            let run = scene.simulation(Dop853::tolerance(1e-12)).loads(&couplings).run(start, 0.5, |_| ())?;
+            let exact = run.motion.coordinates();
+            let missed =
+                |found: Vec<f64>| found.iter().zip(&exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            let (mut second, mut fourth) = (vec![], vec![]);
+            for h in $steps {
+                let run =
+                    scene.simulation(GeneralizedAlpha::new(0.8).step(h)).loads(&couplings).run(start, 0.5, |_| ())?;
+                second.push((h, missed(run.motion.coordinates())));
+                let run = scene.simulation(Sdirk4::default().step(h)).loads(&couplings).run(start, 0.5, |_| ())?;
+                fourth.push((h, missed(run.motion.coordinates())));
+            }
+            has_order("generalised-alpha", 2.0, 1e-11, &second);
+            has_order("Sdirk4", 4.0, 1e-12, &fourth);
+        }};
+    }
+    let arm = (rod, turn, rod, hinge, rod, turn, rod);
+    orders!(arm, Free, [0.0; 6], [4e-3, 2e-3, 1e-3]);
+    let held = (rod, turn, rod, hinge, rod, turn, rod, Pin, rod);
+    orders!(held, Pinned::at(3.0, 0.0), [0.9, -0.5, 0.0, 0.0, -0.2, 0.85, -0.7], [1e-3, 5e-4, 2.5e-4]);
+    Ok(())
+}
+
+/// Masses on a rope over a pulley, one of them on a strut along its track: as on a spring in its slide, step by step, at stiffnesses that no step resolves.
+#[test]
+fn stiff_struts_stand_beside_couplings() -> Result<(), Error> {
+    let mass = |mass| RigidBody::new(mass, 0.1, [0.0; 2], [0.0; 2]);
+    let line = Slider::along(std::f64::consts::FRAC_PI_2);
+    for k in [1e2, 1e6] {
+        let c = 1e-3 * k;
+        macro_rules! scene {
+            ($line:expr) => {
+                System::new(Clamped::origin(), (Branch((line, mass(3.0))), $line, mass(2.0)), Free)?
+                    .with_gravity(GRAVITY)
+            };
+        }
+        let (sprung, free) = (scene!(line.with(Spring::new(k).damped(c).resting_at(0.1))), scene!(line));
+        let strut = Strut::to_ground((1, [0.0; 2]), [0.0, -2.0]).with_stiffness(k).with_damping(c).with_length(2.1);
+        let (one, other) =
+            (Couplings::of(&sprung, [Coupling::new(2, 1).ratio(-1.0)])?, [Coupling::new(2, 1).ratio(-1.0)]);
+        let other = Couplings::of(&free, other)?.and(Struts::of([strut]).stiff());
+        macro_rules! alike {
+            ($($rule:expr),*) => {$(
+                let expected = sprung.simulation($rule).loads(&one).run(sprung.motion(), 0.5, |_| ())?.motion;
+                let found = free.simulation($rule).loads(&other).run(free.motion(), 0.5, |_| ())?.motion;
+                near(found.coordinates()[1], expected.coordinates()[1], 1e-11);
+                near(found.rates()[1], expected.rates()[1], 1e-10);
+                near(found.coordinates()[0], -found.coordinates()[1], 1e-13);
+            )*};
+        }
+        alike!(GeneralizedAlpha::new(0.8).step(0.01), Sdirk4::default().step(0.01), Sdirk4::default().tolerance(1e-8));
+    }
+    Ok(())
+}
+
+/// An arm whose joints are geared, on a strut that turns and a law in it: the order of rules, at steps that resolve it.
+#[test]
+fn rules_keep_their_orders_under_stiff_struts_and_couplings() -> Result<(), Error> {
+    let (rod, turn) = (Rod::uniform(1.0_f64, 1.0), Revolute::smooth());
+    let scene = System::new(Pinned::<[f64; 2]>::origin(), (rod, turn, rod, turn, rod), Free)?.with_gravity(GRAVITY);
+    let across = Strut::between((0, [0.4, 0.1]), (2, [0.3, -0.1])).with_stiffness(300.0).with_damping(4.0);
+    let struts = Struts::of([across.with_length(0.9).with_law(Spring::new(50.0).damped(1.0).resting_at(0.8))]);
+    let gears = Couplings::of(&scene, [Coupling::new(2, 1).ratio(-0.7)])?;
+    let (plain, stiff) = (gears.and(struts), gears.and(struts.stiff()));
+    let start = gears.joined(scene.at_rest(&[0.4, -0.3, 0.0])?);
+    let exact = scene.simulation(Dop853::tolerance(1e-12)).loads(&plain).run(start, 0.4, |_| ())?.motion.coordinates();
+    let same = scene.simulation(Dop853::tolerance(1e-12)).loads(&stiff).run(start, 0.4, |_| ())?.motion.coordinates();
+    assert_eq!(exact, same); // explicit rules take struts as they are
+    let missed = |found: Vec<f64>| found.iter().zip(&exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    let (mut second, mut fourth) = (vec![], vec![]);
+    for h in [0.01, 0.005, 0.0025] {
+        let run = scene.simulation(GeneralizedAlpha::new(0.8).step(h)).loads(&stiff).run(start, 0.4, |_| ())?;
+        second.push((h, missed(run.motion.coordinates())));
+        let run = scene.simulation(Sdirk4::default().step(h)).loads(&stiff).run(start, 0.4, |_| ())?;
+        fourth.push((h, missed(run.motion.coordinates())));
+    }
+    has_order("generalised-alpha", 2.0, 1e-11, &second);
+    has_order("Sdirk4", 4.0, 1e-11, &fourth);
     Ok(())
 }
 

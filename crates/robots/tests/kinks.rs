@@ -289,3 +289,31 @@ fn a_function_that_jumps_ends_a_step_once() -> Result<(), Error> {
     assert!(simulation.run(start(&car)?, 1.25, |_| ())?.steps < 60);
     Ok(())
 }
+
+/// A payload that falls into a rope: steps far longer than the rope's vibration do not creep up to kinks that dense output of them has in the air.
+#[test]
+fn a_stiff_rope_is_caught_in_few_steps() -> Result<(), Error> {
+    let payload = System::new(Free, RigidBody::new(20.0_f64, 0.7, [0.0; 2], [0.0; 2]), Free)?.with_gravity(9.81);
+    let mut start = payload.motion();
+    start.set_coordinates(&[1.0, -0.5, 0.0])?;
+    start.set_rates(&[0.5, 1.0, 0.0])?;
+    for (stiffness, most) in [(1e4, 110), (1e5, 140)] {
+        let rope = Strut::to_ground((0, [0.0; 2]), [0.0; 2]).with_stiffness(stiffness).with_length(2.0).pulling();
+        let rope = Struts::of([rope]);
+        let (mut exact, mut worst) = (None, 0.0_f64);
+        for tolerance in [1e-12, 1e-10, 1e-8, 1e-6, 1e-4] {
+            let taut = |now: &catena::simulate::Now<'_, _, _, _, _, _>| {
+                let place: Vec<f64> = now.stepped().coordinates();
+                [place[0].hypot(place[1]) - 2.0]
+            };
+            let simulation = payload.simulation(Dop853::tolerance(tolerance)).loads(&rope).kinks(taut);
+            let run = simulation.run(start, 3.0, |_| ())?;
+            assert!(run.steps < most, "{stiffness:e}, {tolerance:e}: {} steps", run.steps);
+            let found = run.motion.coordinates()[0];
+            worst = worst.max((found - *exact.get_or_insert(found)).abs() / tolerance);
+        }
+        println!("{stiffness:e}: off by {worst:.0} tolerances at most");
+        assert!(worst < 500.0);
+    }
+    Ok(())
+}

@@ -6,7 +6,7 @@ use crate::lift::lift;
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
 
-/// A law of the user's own about the axis of a hinge: see [`ElasticHinge::with`](super::ElasticHinge::with).
+/// A law of the user's own about the axis of a hinge, or between the ends of a [strut](crate::planar::Strut::with_law): see [`ElasticHinge::with`](super::ElasticHinge::with).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Custom<L>(pub L);

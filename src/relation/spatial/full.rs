@@ -51,7 +51,8 @@ impl<T: Scalar, C: Closures> Full<T, C> {
 #[diagnostic::on_unimplemented(
     message = "a joint or a `Free` root needs a body on its outboard side, but meets `{Self}`",
     label = "no body outboard of a joint",
-    note = "end a chain with a body, put a body between two joints, and start a chain with a body: the root `Pinned` is a ball"
+    note = "end a chain with a body, put a body between two joints, and start a chain with a body: the root `Pinned` is a ball",
+    note = "a robot of `Link`s begins with `BodyAxes`, on a `Free` root, too, and has a `Hinge` or `Slide` in it: of a single body that floats take a `RigidBody`"
 )]
 pub trait Rigid<T: Scalar>: Copy {
     /// Closure forces that the relation carries.

@@ -4,15 +4,17 @@ use super::Backward;
 use super::rules::Staged;
 use super::steps::Steps;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Ties};
-use crate::element::{Element, Unloaded};
+use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
-use crate::error::{Error, Fault, counted};
+use crate::error::{Error, Fault, Place, counted};
 use crate::loading::{EffortOf, Loading};
-use crate::mirror::Position;
-use crate::relation::Absent;
+use crate::mirror::{Position, Rate};
+use crate::relation::{Absent, Part};
 use crate::scalar::Real;
+use crate::simulate::limits;
 use crate::system::Dynamics;
 use crate::system::{Elements, MotionOf, PositionOf, Runs, System};
+use crate::time::Control;
 use crate::walks::fits::fits;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
@@ -70,6 +72,46 @@ where
         let scene = self.steps.scene;
         self.spare.copy_state(start);
         scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
+    }
+
+    /// Refuses a start and torques of steps of a size (s) that make no run: what [`independent`](Self::independent) refuses, a start that steps
+    /// would not close but by a jump, numbers that are none, and steps that the clock rounds away.
+    pub(super) fn begins(
+        &mut self,
+        start: &MotionOf<S, R, C, P>,
+        (step, steps): (RealOf<S>, usize),
+        torques: &[EffortOf<S>],
+    ) -> Result<(), Error> {
+        let end = start.time + step * RealOf::<S>::of(steps as f64);
+        limits::check([start.time, end], Control::Fixed(step), None, None)?;
+        self.independent(start)?;
+        self.finite(start, (step, steps), torques)?;
+        if const { System::<S, R, C, P>::CLOSED == 0 } {
+            return Ok(());
+        }
+        let scene = self.steps.scene;
+        scene.nearly_closed::<Unloaded>(start, &Unloaded, &mut scene.workspace())
+    }
+
+    /// Refuses a start, and torques of steps of a size (s) from there, that are no numbers.
+    pub(super) fn finite(
+        &mut self,
+        start: &MotionOf<S, R, C, P>,
+        (size, steps): (RealOf<S>, usize),
+        torques: &[EffortOf<S>],
+    ) -> Result<(), Error> {
+        let (scene, joints) = (self.steps.scene, self.steps.scene.joints());
+        // Accelerations of a start are not read.
+        self.spare.copy_state(start);
+        self.spare.acceleration.set(&self.steps.zero);
+        Dynamics::<Unloaded>::accept(scene, &self.spare)?;
+        let Some(number) = torques.iter().take(steps.saturating_mul(joints)).position(|torque| !torque.is_finite())
+        else {
+            return Ok(());
+        };
+        let place = scene.joint(number % joints)?.station.map_or(Place::Root, Place::Station);
+        let time = start.time + size * RealOf::<S>::of((number / joints) as f64);
+        Err(Error::new(Fault::NonFiniteLoad).at(place).at_time(time.as_f64()))
     }
 
     /// Refuses what [`suits`](Self::suits) does, and joints with modes, which runs past changes of mode alone know.

@@ -87,6 +87,7 @@ where
             self.pull_back_assembly(start, gradient)?;
         }
         complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
+        self.steps.loads.law.known(&gradient.law).map_err(Error::new)?;
         let mut finite = true;
         let mut meet = |x: S::Scalar| finite &= x.is_finite();
         gradient.start.position.visit(&mut meet);

@@ -69,7 +69,7 @@ where
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
         }
-        self.independent(start)?;
+        self.begins(start, (plan.step, plan.steps), torques)?;
         states[0].copy_state(start);
         self.steps.forget(&mut states[0]);
         for k in 1..states.len() {

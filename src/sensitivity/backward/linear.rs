@@ -7,7 +7,7 @@ use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
 use crate::loading::{EffortOf, Seen};
-use crate::mirror::Rate;
+use crate::mirror::{Position, Rate};
 use crate::relation::Geometry;
 use crate::scalar::{Pack, Scalar};
 use crate::stepper::advances;
@@ -48,9 +48,8 @@ where
         self.independent(past)?;
         self.steps.take_torques(torques, 0);
         self.steps.give_torques(&mut [], 0);
-        self.spare.copy_state(past);
-        self.steps.forget(&mut self.spare);
-        self.steps.step_to(past.time + size, &self.spare, &mut self.record, next);
+        self.finite(past, (size, 1), torques)?;
+        self.steps.step_by(size, &self.spare, &mut self.record, next);
         Ok(())
     }
 
@@ -71,6 +70,10 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
+    /// Where joints [follow others](crate::planar::Couplings) x has all of them, as if they were free, and a step takes what they miss along: before
+    /// a Riccati equation is solved, add the columns of A by followers, times their ratios, to those by their leaders, and leave followers out.
+    /// Tips that are held and loops are closed by the step, so that what misses them is gone after it.
+    ///
     /// # What it costs
     ///
     /// Each row is a costate that is pulled back through the stages of the step, which are evaluated once: with RK4 and n rods on pins
@@ -78,8 +81,8 @@ where
     /// at once cost less: [`linearised_step_in_rows`](Self::linearised_step_in_rows).
     ///
     /// # Errors
-    /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::NonFiniteMotion`] or
-    /// [`Fault::AngleOutOfRange`]; [`Fault::RedundantClosures`] where the step begins with a tip held twice in the same way; what the loads on
+    /// [`Fault::Count`] for lists of another length, [`Fault::Shape`] for motions of another scene; [`Fault::NonFiniteMotion`],
+    /// [`Fault::AngleOutOfRange`], or [`Fault::NonFiniteLoad`] for torques; [`Fault::RedundantClosures`] where the step begins with a tip held twice in the same way; what the loads on
     /// bodies refuse, as in [`run`](Self::run).
     pub fn linearised_step(
         &mut self,
@@ -92,7 +95,6 @@ where
     ) -> Result<(), Error> {
         let (rows, joints) = (2 * past.rate_count(), self.steps.scene.joints());
         self.begin_linear(past, size, torques, next, (by_state.len(), by_torques.len()))?;
-        let end = past.time + size;
         for (k, row) in by_state.chunks_exact_mut(rows.max(1)).enumerate() {
             let mut count = 0;
             let mut unit = |_| {
@@ -103,7 +105,7 @@ where
             start.position.replace(&mut unit);
             start.rate.replace(&mut unit);
             self.steps.of_memory.set(&self.steps.zero);
-            self.steps.pull_back(&self.spare, end - past.time, &self.record, None, &mut self.scratch);
+            self.steps.pull_back(&self.spare, size, &self.record, None, &mut self.scratch);
             let mut entries = row.iter_mut();
             let mut put = |x| entries.next().into_iter().for_each(|entry| *entry = x);
             self.scratch.start.position.visit(&mut put);
@@ -133,7 +135,7 @@ where
     /// work). `N` is one or more, or the program does not compile.
     ///
     /// # Errors
-    /// As [`linearised_step`](Self::linearised_step).
+    /// As [`linearised_step`](Self::linearised_step); [`Fault::Unsupported`] for a motion or torques of packs whose numbers differ.
     pub fn linearised_step_in_rows<T: Scalar, const N: usize>(
         &mut self,
         past: &MotionOf<S, R, C, P>,
@@ -148,9 +150,14 @@ where
         S::JointMotion: Seen<Load = Pack<T, N>>,
     {
         const { assert!(N > 0, "no rows at a time") };
+        let mut alike = torques.iter().all(Pack::is_even);
+        past.position.visit(&mut |x| alike &= x.is_even());
+        past.rate.visit(&mut |x| alike &= x.is_even());
+        if !alike {
+            return Err(Error::new(Fault::Unsupported { what: "rows of a step of numbers that differ side by side" }));
+        }
         let (rows, joints) = (2 * past.rate_count(), self.steps.scene.joints());
         self.begin_linear(past, size, torques, next, (by_state.len(), by_torques.len()))?;
-        let end = past.time + size;
         for first in (0..rows).step_by(N) {
             let mut count = 0;
             let mut unit = |_| {
@@ -161,7 +168,7 @@ where
             start.position.replace(&mut unit);
             start.rate.replace(&mut unit);
             self.steps.of_memory.set(&self.steps.zero);
-            self.steps.pull_back(&self.spare, end - past.time, &self.record, None, &mut self.scratch);
+            self.steps.pull_back(&self.spare, size, &self.record, None, &mut self.scratch);
             let mut column = 0;
             let mut put = |x: Pack<T, N>| {
                 let list = by_state.iter_mut().skip(first * rows + column).step_by(rows);

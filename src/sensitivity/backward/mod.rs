@@ -185,7 +185,7 @@ where
 {
     fn new(scene: &'s System<S, R, C, P>, method: M, law: L) -> Self {
         let steps = Steps::new(scene, method, law);
-        let scratch = Gradient::none(scene.elements(), &steps.zero);
+        let scratch = Gradient::none(scene.elements(), &steps.zero, &law);
         Self { record: steps.record(), steps, spare: scene.motion(), scratch, method, assembled: false }
     }
 
@@ -201,8 +201,9 @@ where
     ///
     /// # Errors
     /// [`Fault::NotPositive`] for the step; [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of
-    /// another scene; [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time; [`Fault::RedundantClosures`] where the start holds its tip,
-    /// or closes a loop, twice in the same way; [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::Unsupported`] where
+    /// another scene; [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time, [`Fault::NonFiniteLoad`] for torques, with the joint, too;
+    /// [`Fault::OutOfRange`] for steps that the clock rounds away; [`Fault::RedundantClosures`] where the start holds its tip, or closes a loop, twice in the same
+    /// way; [`Fault::NotAssembled`] where tips and loops are far from closed, or joints that follow others do not; [`Fault::Unsupported`] where
     /// joints are coupled and something is held or closed; what is wrong with the parameters of the rule; what
     /// [`LoadLaw::check`](crate::loading::LoadLaw::check) of the loads on bodies refuses.
     pub fn run(
@@ -222,7 +223,7 @@ where
         if !(self.fits(start) && states.iter().all(|state| state.fits(start))) {
             return Err(Error::new(Fault::Shape));
         }
-        self.independent(start)?;
+        self.begins(start, (step, steps), torques)?;
         states[0].copy_state(start);
         self.steps.forget(&mut states[0]);
         for k in 0..steps {
@@ -291,6 +292,6 @@ where
         by_torques.fill(EffortOf::<S>::null());
         self.steps.give_torques(&mut [], 0);
         self.steps.of_memory.set(&self.steps.zero);
-        Gradient::none(self.steps.scene.elements(), &self.steps.zero)
+        Gradient::none(self.steps.scene.elements(), &self.steps.zero, &self.steps.loads.law)
     }
 }

@@ -236,10 +236,21 @@ where
         record: &mut RecordOf<S, R, C, P, M, L>,
         next: &mut MotionOf<S, R, C, P>,
     ) {
-        let step = time - past.time;
+        self.step_by(time - past.time, past, record, next);
+        next.time = time;
+    }
+
+    /// The step of a size (s), whatever the clock makes of it.
+    pub(super) fn step_by(
+        &mut self,
+        step: RealOf<S>,
+        past: &MotionOf<S, R, C, P>,
+        record: &mut RecordOf<S, R, C, P, M, L>,
+        next: &mut MotionOf<S, R, C, P>,
+    ) {
         self.evaluate(past, step, record);
         next.acceleration.set(&self.zero);
-        next.time = time;
+        next.time = past.time + step;
         if const { M::REMEMBERS } {
             self.end_with_memory(past, step, record, next);
             return;

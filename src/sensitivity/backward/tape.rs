@@ -75,7 +75,7 @@ where
         if !(self.fits(start) && self.fits(end) && tape.iter().all(|room| self.fits(&room.before))) {
             return Err(Error::new(Fault::Shape));
         }
-        self.independent(start)?;
+        self.begins(start, (step, steps), torques)?;
         self.spare.copy_state(start);
         self.steps.forget(&mut self.spare);
         if let [room, ..] = &mut *tape {

@@ -557,3 +557,26 @@ fn errors_say_what_where_and_when() {
         "nothing resists the motion in this joint (what lies outboard has no mass or inertia along or about it, or another joint there moves alike), at the root, at t = 1.5 s"
     );
 }
+
+/// Ground that is lost on the way ends a run there, though no joint feels where it is.
+#[test]
+fn ground_that_is_lost_on_the_way_is_named() -> Result<(), Error> {
+    let (still, place) = ([0.0; 2], |time: f64| [if time > 0.5 { NAN } else { 0.0 }, 0.0]);
+    let ground = Moving(move |time| GroundMotion { place: place(time), velocity: still, acceleration: still });
+    let system = System::new(Pinned::on(ground), (rod(), Pin, rod()), Free)?;
+    let stopped = system.simulation(Rk4::step(0.01)).run(system.at_rest(&[0.3, 0.1])?, 1.0, |_| ()).unwrap_err();
+    assert_eq!(stopped.error.fault, Fault::NotFinite { parameter: "motion of the ground" });
+    assert_eq!(stopped.error.place, Some(Place::Root));
+    assert!((stopped.last.time() - 0.5).abs() < 0.011, "{}", stopped.last.time());
+    Ok(())
+}
+
+#[test]
+fn a_time_that_is_no_number_is_none_to_go_on_to() -> Result<(), Error> {
+    let (system, start) = pendulum()?;
+    let mut run = system.simulation(Rk4::step(0.01)).begin(start, 1.0, |_| ()).map_err(|stopped| stopped.error)?;
+    assert_eq!(run.until(NAN).unwrap_err().fault, Fault::NotFinite { parameter: "time until which a run is to go on" });
+    run.until(INFINITY)?;
+    assert_eq!(run.motion().time(), 1.0);
+    Ok(())
+}

@@ -14,4 +14,5 @@ mod shared_loops;
 mod space;
 mod stiff_struts;
 mod struts;
+mod struts_with_laws;
 mod trees;

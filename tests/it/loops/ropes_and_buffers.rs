@@ -62,7 +62,12 @@ fn a_taut_rope_is_a_spring() -> Result<(), Error> {
             Ok::<_, Error>([found.acceleration().0, found.acceleration().1.1])
         };
         assert_eq!(accelerations(strut)?, accelerations(strut.pulling())?);
-        // And a buffer does nothing there.
+        // And a buffer does nothing there; it needs a length.
+        if length == 0.0 {
+            let refused = accelerations(strut.pushing()).unwrap_err().fault;
+            assert!(matches!(refused, catena::Fault::NotPositive { parameter: "length of a buffer", .. }));
+            continue;
+        }
         let none = scene.with_accelerations(start, &Unloaded)?;
         let pushed = accelerations(strut.pushing())?;
         near(pushed[0], none.acceleration().0, 1e-12);

@@ -294,3 +294,64 @@ fn of_a_long_rope_in_single_precision() -> Result<(), Error> {
     near(found[0], expected[0], 5e-3);
     Ok(())
 }
+
+/// A block at rest on a rope, a buffer or a stop that is strained by next to nothing: √(k/m), however near the kink; where it stands at one there is no mode.
+#[test]
+fn modes_beside_a_kink_are_those_of_the_side_it_stands_on() -> Result<(), Error> {
+    use catena::scalar::Jet;
+    const MASS: f64 = 2.0;
+    type T = Jet<f64, 1>;
+    let line = Slider::along(core::f64::consts::FRAC_PI_2);
+    let block = RigidBody::new(MASS, 0.1, [0.0; 2], [0.0; 2]);
+    let scene = System::new(Clamped::origin(), (line, block), Free)?.with_gravity(9.81);
+    for stiffness in [1e3, 1e4, 1e5, 1e6, 1e8, 5e8, 1e9] {
+        let exact = (stiffness / MASS).sqrt();
+        let strut =
+            |place, length| Strut::to_ground((0, [0.0; 2]), [0.0, place]).with_stiffness(stiffness).with_length(length);
+        let mut guess = scene.motion();
+        guess.set_coordinates(&[-1.0 - 1.3 * MASS * 9.81 / stiffness])?;
+        for strut in [strut(1.0, 2.0).pulling(), strut(-3.0, 2.0).pushing()] {
+            let loads = Struts::of([strut]);
+            let rest = scene.equilibrium(guess, &loads)?;
+            let found = scene.modes(&rest, &loads)?.frequencies().next().expect("one");
+            near(found, exact, 1e-12 * exact);
+        }
+        // How the rest hangs on the stiffness: m g / k².
+        let (other, k) = (scene.lift(T::of), T::seed(stiffness, 0));
+        let rope = Strut::to_ground((0, [T::of(0.0); 2]), [0.0, 1.0].map(T::of)).with_stiffness(k);
+        let rope = Struts::of([rope.with_length(T::of(2.0)).pulling()]);
+        let rest = other.equilibrium(guess.lift(T::of), &rope)?;
+        let expected = MASS * 9.81 / (stiffness * stiffness);
+        near(rest.coordinates()[0].eps[0], expected, 1e-6 * expected);
+    }
+    let stops = Stops::between([-1.0, 9.0], 1e6, 1e-6);
+    let stopped = System::new(Clamped::origin(), (line.with(stops), block), Free)?.with_gravity(9.81);
+    let mut guess = stopped.motion();
+    guess.set_coordinates(&[-1.0 - MASS * 9.81 / 1e6])?;
+    let found = stopped.modes(&stopped.equilibrium(guess, &Unloaded)?, &Unloaded)?.frequencies().next().expect("one");
+    near(found, (1e6_f64 / MASS).sqrt(), 1e-9 * found);
+    // In single precision.
+    let light = System::new(
+        Clamped::at(0.0_f32, 0.0, 0.0),
+        (Slider::along(PI as f32 / 2.0), RigidBody::new(2.0_f32, 0.1, [0.0; 2], [0.0; 2])),
+        Free,
+    )?;
+    let light = light.with_gravity(9.81);
+    for stiffness in [1e4_f32, 2e4, 5e4] {
+        let rope = Strut::to_ground((0, [0.0; 2]), [0.0, 1.0]).with_stiffness(stiffness).with_length(2.0).pulling();
+        let mut guess = light.motion();
+        guess.set_coordinates(&[-1.0 - 1.3 * 19.62 / stiffness])?;
+        let rest = light.equilibrium(guess, &Struts::of([rope]))?;
+        let found = light.modes(&rest, &Struts::of([rope]))?.frequencies().next().expect("one");
+        let exact = f64::from(stiffness / 2.0).sqrt();
+        near(found, exact, 2e-3 * exact);
+    }
+    // Taut, and without weight, however slow.
+    for (mass, stiffness) in [(2.0, 1e4), (1000.0, 1.0)] {
+        let idle = System::new(Clamped::origin(), (line, RigidBody::new(mass, 0.1, [0.0; 2], [0.0; 2])), Free)?;
+        let rope = Strut::to_ground((0, [0.0; 2]), [0.0, 1.0]).with_stiffness(stiffness).with_length(1.0).pulling();
+        let refused = idle.modes(&idle.motion(), &Struts::of([rope])).unwrap_err().fault;
+        assert!(matches!(refused, Fault::Unsupported { what } if what.contains("kink")), "{refused:?}");
+    }
+    Ok(())
+}

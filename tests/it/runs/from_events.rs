@@ -110,3 +110,67 @@ fn states_are_cut_where_the_next_event_is() -> Result<(), Error> {
     }
     Ok(())
 }
+
+/// A run that is resumed after each impact, its rate turned round, meets the next one however short the flight, also by rules that propose their steps.
+#[test]
+fn a_ball_bounces_by_a_run_that_is_resumed() -> Result<(), Error> {
+    macro_rules! bounce {
+        ($rule:expr, $end:expr, $restitution:expr, $impacts:expr) => {{
+            let (scene, end) = (ball::<f64>()?, $end);
+            let simulation = || scene.simulation($rule).event(|now| now.motion().coordinates()[0]).stopping();
+            let mut start = scene.motion();
+            start.set_coordinates(&[1.0])?;
+            let (mut speed, mut time) = (2.0_f64 * 9.81, (2.0_f64 / 9.81).sqrt());
+            speed = speed.sqrt();
+            let mut run = simulation().begin(start, end, |_| ())?;
+            while run.step()? {}
+            let mut saved = run.save();
+            for impact in 0..$impacts {
+                near(saved.motion.time(), time, 1e-9);
+                speed *= $restitution;
+                time += 2.0 * speed / 9.81;
+                saved.motion.set_rates(&[-$restitution * saved.motion.rates()[0]])?;
+                let mut run = simulation().resume(saved, end, |_| ())?;
+                while run.step()? {}
+                saved = run.save();
+                assert!(saved.motion.time() < end, "impact {impact}");
+            }
+        }};
+    }
+    bounce!(Dop853::tolerance(1e-9), 100.0, 0.8, 40);
+    bounce!(Dop853::tolerance(1e-9), 5.0, 0.3, 8);
+    bounce!(Dopri5::tolerance(1e-9), 100.0, 0.8, 40);
+    bounce!(Sdirk4::new().tolerance(1e-9), 100.0, 0.8, 40);
+    bounce!(Vcabm::new().tolerance(1e-9), 100.0, 0.8, 30);
+    bounce!(Auto::tolerance(1e-9), 100.0, 0.8, 40);
+    Ok(())
+}
+
+/// A run says whether an event has ended it; times that are shown never go back.
+#[test]
+fn samples_and_events_are_shown_in_turn() -> Result<(), Error> {
+    let scene = ball::<f64>()?;
+    let mut start = scene.motion();
+    start.set_rates(&[4.905])?; // up for half a second, back after one
+    for (every, fraction) in [(0.5, 0.0), (0.3, 1e-10), (0.25, 3e-11)] {
+        for stops in [false, true] {
+            let mut times = vec![];
+            let simulation = scene.simulation(Dop853::tolerance(1e-10)).every(every);
+            let simulation = simulation.event(|now| {
+                if every == 0.5 { now.motion().coordinates()[0] } else { now.time() - 3.0 * every + fraction }
+            });
+            let end = if stops {
+                let run = simulation.stopping().run(start, 2.0, |now| times.push(now.time()))?;
+                assert!(run.at_event);
+                run.motion.time()
+            } else {
+                let run = simulation.run(start, 2.0, |now| times.push(now.time()))?;
+                assert!(!run.at_event);
+                2.0
+            };
+            assert!(times.windows(2).all(|pair| pair[0] <= pair[1]), "{times:?}");
+            assert!(!stops || times.last() == Some(&end), "{times:?}");
+        }
+    }
+    Ok(())
+}

@@ -116,5 +116,11 @@ fn columns_of_traces() -> Result<(), Error> {
     scene.simulate(scene.motion(), Rk4::step(0.1), 0.1, |now| trace.observe(now))?;
     let text = String::from_utf8(trace.finish().unwrap()).unwrap();
     assert!(text.starts_with("time,joint_0_position,joint_2_position,joint_2_2_position,joint_0_rate"), "{text}");
+    // Rows of another scene do not stand under them.
+    let mut trace = Trace::new(vec![]);
+    scene.simulate(scene.motion(), Rk4::step(0.1), 0.1, |now| trace.observe(now))?;
+    let other = System::new(Pinned::origin(), (rod, Pin, rod), Free)?;
+    other.simulate(other.motion(), Rk4::step(0.1), 0.1, |now| trace.observe(now))?;
+    assert_eq!(trace.finish().unwrap_err().kind(), std::io::ErrorKind::InvalidInput);
     Ok(())
 }

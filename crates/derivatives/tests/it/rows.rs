@@ -53,3 +53,20 @@ fn sines_of_packs_keep_derivatives_apart() {
     }
     assert!(!x.is_identical(Pack::of(x.0[0])) && x.is_identical(x));
 }
+
+/// Numbers that differ side by side would be rows of different steps.
+#[test]
+fn rows_of_different_steps_are_refused() {
+    let rod = Rod::uniform(1.0_f64, 1.0);
+    let scene = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().lift(Pack::<f64, 2>::of);
+    let now = scene.at_rest(&[0.3, 0.1].map(Pack::of)).unwrap();
+    let (mut next, mut a, mut backward) = (now, [0.0; 16], scene.backward(Rk4));
+    let mut refused = |now: &_, torques: &[Pack<f64, 2>]| {
+        let found = backward.linearised_step_in_rows(now, 0.01, torques, &mut next, &mut a, &mut []).unwrap_err();
+        assert!(matches!(found.fault, catena::Fault::Unsupported { .. }), "{found}");
+    };
+    refused(&now, &[Pack::of(0.0), Pack([0.0, 1.0])]);
+    let mut other = now;
+    other.rate_mut().0 = Pack([0.0, 1.0]);
+    refused(&other, &[]);
+}

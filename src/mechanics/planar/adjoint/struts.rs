@@ -1,13 +1,17 @@
 //! The costate sweep in the plane: struts.
 
 use super::loads::{BODY, Felt};
+use crate::adjoint::laws::ReversibleLaw;
 use crate::adjoint::struts::{ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
 use crate::adjoint::{ActsOnBodies, BodyLaw, OfLaw, ReversibleLoads};
+use crate::error::Fault;
+use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw, Loading, Loads};
 use crate::mechanics::planar::{BodyMotion, Frame, JointMotion, Planar};
 use crate::relation::planar::algebra::{add_scaled, dot, normal};
 use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use crate::struts::Struts;
 use crate::walks::pull_loads::PullLoads;
 use nalgebra::{SVector, Vector2};

@@ -3,13 +3,17 @@
 use super::Turning;
 use super::felt::Felt;
 use super::read::BODY;
+use crate::adjoint::laws::ReversibleLaw;
 use crate::adjoint::struts::{ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
 use crate::adjoint::{ActsOnBodies, BodyLaw, OfLaw, ReversibleLoads};
+use crate::error::Fault;
+use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw, Loading, Loads};
 use crate::mechanics::spatial::{BodyMotion, Frame, JointMotion, Spatial, Turn};
 use crate::relation::spatial::algebra::{cross_onto, zero};
 use crate::relation::{Absent, Additive};
 use crate::scalar::Scalar;
+use crate::spring::SpringLaw;
 use crate::struts::Struts;
 use crate::walks::pull_loads::PullLoads;
 use nalgebra::{SVector, Vector3};

@@ -39,12 +39,13 @@ fn struts_of_an_arm_with_stops_and_friction() -> Result<(), Error> {
             let ((scene, start), x) = (arm!($x, $T), &$x[ARM.len()..]);
             let across = Strut::between((0, [x[0], x[1]]), (1, [x[2], x[3]])).with_stiffness(x[4]).with_damping(x[5]);
             let down = Strut::to_ground((1, [x[7], x[8]]), [x[9], x[10]]).with_stiffness(x[11]);
-            let (struts, drag) = ([across.with_length(x[6]), down], x[12]);
+            let of_law = [Spring::new(x[13]).damped(x[14]), Spring::new(x[15]).damped(x[16])];
+            let (struts, drag) = ([across.with_length(x[6]).with_law(of_law[0]), down.with_law(of_law[1])], x[12]);
             let loads = Struts::of(struts).and(Loads::none().on_bodies_by(Drag { drag }));
             (scene, start, loads, loads, (struts, drag))
         }};
     }
-    let struts = [0.3, 0.05, 0.5, -0.04, 30.0, 2.0, 0.35, 0.7, 0.02, 1.0, -0.4, 12.0, 0.15];
+    let struts = [0.3, 0.05, 0.5, -0.04, 30.0, 2.0, 0.35, 0.7, 0.02, 1.0, -0.4, 12.0, 0.15, 3.0, 0.2, 2.0, 0.3];
     let numbers = [&ARM[..], &struts].concat();
     let changes = as_forward_of!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, under, |gradient, parts| {
         let [by_drag] = *gradient.by_loads()? else { unreachable!() };

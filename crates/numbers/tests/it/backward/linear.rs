@@ -46,3 +46,44 @@ fn steps_have_the_jacobians_of_jets() {
     let found = fault(&mut [0.0; 36], &mut [0.0; 17]);
     assert!(matches!(found, Fault::Count { expected: 18, given: 17, .. }), "{found:?}");
 }
+
+/// However late it is, a step has the size that it is given, as a stepper's; runs refuse steps that the clock rounds away.
+#[test]
+fn late_steps_are_as_long_as_early_ones() {
+    let rod = Rod::uniform(1.0_f32, 1.0);
+    let system = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+    let early = system.with_rates(system.at_rest(&[0.3, 1.0]).unwrap(), &[0.4, -1.0]).unwrap();
+    let mut backward = system.backward(Rk4);
+    let mut linear = |time: f32| {
+        let (mut next, mut a) = (early, [0.0; 16]);
+        backward.linearised_step(&early.at_time(time), 5e-4, &[], &mut next, &mut a, &mut []).unwrap();
+        (next.coordinates(), next.rates(), a)
+    };
+    assert_eq!(linear(20_000.0), linear(0.0));
+    let (late, mut states) = (early.at_time(20_000.0), [early; 6]);
+    let refused = backward.run(&late, 5e-4, 5, &[], &mut states).unwrap_err().fault;
+    assert!(matches!(refused, Fault::OutOfRange { parameter: "step size", .. }), "{refused:?}");
+}
+
+/// What is no number is said of what it is of, and of when that is.
+#[test]
+fn numbers_that_are_none_are_named() {
+    let rod = Rod::uniform(1.0_f64, 1.0);
+    let system = System::new(Pinned::origin(), (rod, Pin, rod), Free).unwrap().with_gravity(9.81);
+    let start = system.at_rest(&[0.3, 1.0]).unwrap().at_time(3.0);
+    let mut backward = system.backward(Rk4);
+    let (mut next, mut a, mut states) = (start, [0.0; 16], [start; 4]);
+    let found = backward.linearised_step(&start, 0.01, &[0.0, f64::NAN], &mut next, &mut a, &mut []).unwrap_err();
+    assert_eq!(
+        (found.fault, found.time, found.place),
+        (Fault::NonFiniteLoad, Some(3.0), Some(catena::Place::Station(1)))
+    );
+    let torques = [0.0, 0.0, 0.0, 0.0, f64::INFINITY, 0.0];
+    let found = backward.run(&start, 0.5, 3, &torques, &mut states).unwrap_err();
+    assert_eq!((found.fault, found.time, found.place), (Fault::NonFiniteLoad, Some(4.0), Some(catena::Place::Root)));
+    let lost = system.with_rates(start, &[0.0, 1.0]).unwrap();
+    let mut lost = lost;
+    lost.rate_mut().0 = f64::NAN;
+    let found = backward.linearised_step(&lost, 0.01, &[], &mut next, &mut a, &mut []).unwrap_err();
+    assert_eq!((found.fault, found.time), (Fault::NonFiniteMotion, Some(3.0)));
+}

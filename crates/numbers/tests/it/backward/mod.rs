@@ -181,6 +181,7 @@ macro_rules! acting {
         for by in $gradient.by_struts() {
             list.extend(by.ends.iter().flatten().chain([&by.stiffness, &by.damping, &by.length]));
         }
+        list.extend($gradient.by_struts().iter().flat_map(|by| by.law()));
         list.extend($gradient.by_loads().unwrap());
         list
     }};

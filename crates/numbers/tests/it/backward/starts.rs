@@ -183,8 +183,14 @@ mod plane {
         type N = f64;
         let system = four_bar!(x, Pin);
         let open = system.at_rest(&[1.0, 0.3, -2.0]).unwrap();
-        let mut states = [open; 2];
         let mut backward = system.backward(Rk4).assembled();
+        let found = backward.run(&open, 0.01, 1, &[], &mut [open; 2]).unwrap_err().fault;
+        assert!(matches!(found, Fault::NotAssembled { residual } if residual > 0.1), "{found:?}");
+        // One that a step closes is none either.
+        let mut open = system.assembled(open, &Unloaded).unwrap();
+        let closed = open.coordinates();
+        open.set_coordinates(&[closed[0], closed[1], closed[2] + 0.05]).unwrap();
+        let mut states = [open; 2];
         backward.run(&open, 0.01, 1, &[], &mut states).unwrap();
         let found = backward.gradient(&[], &states, &mut [], |_, _, _| Ok(())).map(|_| ()).unwrap_err().fault;
         assert!(matches!(found, Fault::NotClosed { residual } if residual > 0.01), "{found:?}");

@@ -4,29 +4,37 @@ use super::loads::Medium;
 use super::names::*;
 use catena::sensitivity::{Checkpoints, Costate};
 
-/// Numbers of a strut between bodies, of one to the ground, and of a medium.
-const NUMBERS: [f64; 19] =
-    [0.3, 0.1, 0.5, -0.2, 9.0, 0.4, 0.6, 0.4, -0.1, 1.5, 1.2, 14.0, 0.3, 0.5, 0.4, 7.0, 0.5, 0.8, 0.05];
+/// Numbers of a strut between bodies, of one to the ground, of the laws of both, and of a medium.
+const NUMBERS: [f64; 23] = [
+    0.3, 0.1, 0.5, -0.2, 9.0, 0.4, 0.6, 0.4, -0.1, 1.5, 1.2, 14.0, 0.3, 0.5, 0.7, 0.06, 1.1, 0.04, 0.4, 7.0, 0.5, 0.8,
+    0.05,
+];
 /// What they are.
-const KINDS: [(&str, usize); 7] = [
+const KINDS: [(&str, usize); 8] = [
     ("ends on bodies", 4),
     ("a spring, damper and length", 3),
     ("an end on a body", 2),
     ("an end on the ground", 2),
     ("another spring, damper and length", 3),
+    ("laws of struts", 4),
     ("law: drag and spring", 2),
     ("law: anchor and brake", 3),
 ];
 
 /// Struts between the numbered bodies, and a medium.
-fn struts<T: Scalar>(bodies: [usize; 3], number: impl Fn(usize) -> T) -> ([Strut<T, 2>; 2], Medium<T>) {
+#[allow(clippy::type_complexity)] // two in one
+fn struts<T: Scalar>(
+    bodies: [usize; 3],
+    number: impl Fn(usize) -> T,
+) -> ([Strut<T, 2, Custom<Stiffening<T>>>; 2], Medium<T>) {
     let point = |k: usize| [number(k), number(k + 1)];
-    let with = |strut: Strut<T, 2>, k: usize| {
-        strut.with_stiffness(number(k)).with_damping(number(k + 1)).with_length(number(k + 2))
+    let with = |strut: Strut<T, 2>, k: usize, law: usize| {
+        let strut = strut.with_stiffness(number(k)).with_damping(number(k + 1)).with_length(number(k + 2));
+        strut.with_law(Custom(Stiffening { stiffness: number(law), damping: number(law + 1) }))
     };
-    let inside = with(Strut::between((bodies[0], point(0)), (bodies[1], point(2))), 4);
-    let outside = with(Strut::to_ground((bodies[2], point(7)), point(9)), 11);
-    let medium = Medium { drag: number(14), stiffness: number(15), anchor: point(16), brake: number(18) };
+    let inside = with(Strut::between((bodies[0], point(0)), (bodies[1], point(2))), 4, 14);
+    let outside = with(Strut::to_ground((bodies[2], point(7)), point(9)), 11, 16);
+    let medium = Medium { drag: number(18), stiffness: number(19), anchor: point(20), brake: number(22) };
     ([inside, outside], medium)
 }
 
@@ -50,7 +58,7 @@ fn trees_under_struts_have_the_gradients_of_jets() {
         steps,
         0.02,
         |x| { tree!(N, x) },
-        pulled(19, |x| { struts([1, 5, 3], |k| x(22 + k)) })
+        pulled(23, |x| { struts([1, 5, 3], |k| x(22 + k)) })
     );
 }
 
@@ -77,7 +85,7 @@ fn closed_scenes_under_struts_have_the_gradients_of_differences() {
                     _ => Ok(()),
                 })
                 .unwrap();
-            let seeds = struts([0, 3, 5], |k| Jet::<f64, 14>::seed(NUMBERS[k], k)).0;
+            let seeds = struts([0, 3, 5], |k| Jet::<f64, 18>::seed(NUMBERS[k], k)).0;
             let found = gradient.along_struts(&seeds);
             let end = |j: usize, e: f64| {
                 let loads = Struts::of(of(&|k| NUMBERS[k] + if k == j { e } else { 0.0 }));
@@ -92,15 +100,48 @@ fn closed_scenes_under_struts_have_the_gradients_of_differences() {
                 let e = 1e-4;
                 (8.0 * (end(j, e) - end(j, -e)) - (end(j, 2.0 * e) - end(j, -2.0 * e))) / (12.0 * e)
             };
-            let expected: Vec<f64> = (0..14).map(difference).collect();
+            let expected: Vec<f64> = (0..18).map(difference).collect();
             let name = format!("closed, under struts, {:?}", $method);
-            alike(&name, &KINDS[..5], &found, &expected, 1e-6);
+            alike(&name, &KINDS[..6], &found, &expected, 1e-6);
         }};
     }
     closed!(Rk4);
     closed!(Dop853);
     closed!(Sdirk4::new());
     closed!(GeneralizedAlpha::new(0.8).with_sweeps(3));
+}
+
+/// Of a law of more numbers than there is room for no derivative would be told: refused.
+#[test]
+fn laws_of_many_numbers_are_refused() -> Result<(), catena::Error> {
+    #[derive(Clone, Copy, Debug)]
+    struct Many<T> {
+        numbers: [T; 7],
+    }
+    catena::lift!(Many<T> { numbers });
+    impl<T: Scalar> SpringLaw<T> for Many<T> {
+        fn force(&self, position: T, _: T) -> T {
+            -self.numbers[6] * position
+        }
+        fn energy(&self, position: T) -> T {
+            self.numbers[6] * position * position * T::literal(0.5)
+        }
+        fn pivot(&self, _: T, _: T, springs: impl Springs<T>) -> T {
+            springs.pivot(self.numbers[6], T::zero())
+        }
+        fn check(&self) -> Result<(), catena::Fault> {
+            Ok(())
+        }
+    }
+    let scene = System::new(Pinned::origin(), Rod::uniform(1.0, 1.0), Free)?;
+    let strut = Strut::to_ground((0, [0.5, 0.0]), [0.5, 1.0]).with_law(Custom(Many { numbers: [1.0; 7] }));
+    let (start, struts) = (scene.at_rest(&[0.3])?, Struts::of([strut]));
+    let mut states = [start; 3];
+    let mut backward = scene.backward(Rk4).under(struts.and(Loads::none()));
+    backward.run(&start, 0.1, 2, &[], &mut states)?;
+    let refused = backward.gradient(&[], &states, &mut [], |_, _, _| Ok(())).map(|_| ()).unwrap_err().fault;
+    assert_eq!(refused, catena::Fault::Count { list: "numbers of a law of a strut", expected: 6, given: 7 });
+    Ok(())
 }
 
 /// A spring without length, whose ends meet on the way: its force is that of a law of loads, and so is its gradient.
@@ -221,7 +262,8 @@ fn ropes_and_buffers_have_the_gradients_of_jets() -> Result<(), catena::Error> {
             (scene, start, [rope.pulling(), buffer.pushing()])
         }};
     }
-    let x = [300.0, 4.0, 0.8, 1.6, 500.0, 3.0, 1.2, 0.02];
+    // Without dampers, whose forces would jump.
+    let x = [300.0, 0.0, 0.8, 1.6, 500.0, 0.0, 1.2, 0.02];
     let (scene, start, struts) = arm!(x, f64);
     let (loads, mut states) = (Struts::of(struts), vec![start; 301]);
     let mut backward = scene.backward(Rk4).under(loads);
@@ -252,5 +294,26 @@ fn ropes_and_buffers_have_the_gradients_of_jets() -> Result<(), catena::Error> {
     for (found, expected) in found.iter().zip(expected) {
         near(*found, expected, ROUNDING * largest);
     }
+    // With a force that sets in: refused, for costates do not know how its instant changes.
+    let (scene, start, [rope, buffer]) = arm!(x, f64);
+    let gradient = |struts: &dyn Fn(&mut Vec<_>) -> Result<(), catena::Error>| {
+        let mut states = vec![start; 301];
+        struts(&mut states)
+    };
+    macro_rules! jumps {
+        ($struts:expr) => {
+            gradient(&|states| {
+                let mut backward = scene.backward(Rk4).under(Struts::of($struts));
+                backward.run(&start, 0.005, 300, &[], states)?;
+                backward.gradient(&[], states, &mut [], |_, _, _| Ok(())).map(|_| ())
+            })
+            .is_err_and(|error| matches!(error.fault, catena::Fault::Unsupported { what } if what.contains("jumps")))
+        };
+    }
+    assert!(jumps!([rope.with_damping(4.0), buffer]) && jumps!([rope, buffer.with_damping(3.0)]));
+    assert!(jumps!([rope.with_law(Spring::damping(4.0)), buffer.with_law(Spring::damping(0.0))]));
+    // One that is zero at the length does not jump.
+    let soft = Spring::new(20.0).damped(0.0).resting_at(0.8);
+    assert!(!jumps!([rope.with_law(soft), buffer.with_law(Spring::new(0.0).damped(0.0).resting_at(0.0))]));
     Ok(())
 }

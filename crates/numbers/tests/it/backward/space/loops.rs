@@ -117,7 +117,9 @@ fn closed_scenes_have_one_gradient_however_runs_are_kept() {
     for k in (0..4).rev() {
         let (mut next, mut a, mut b) = (start, [0.0; 4 * N * N], vec![Effort([0.0; 3]); 2 * N * joints]);
         let held = &torques[joints * k..][..joints];
-        backward.linearised_step(&states[k], 0.05, held, &mut next, &mut a, &mut b).unwrap();
+        // Steps of a run are as long as its clock, which rounds.
+        let size = states[k + 1].time() - states[k].time();
+        backward.linearised_step(&states[k], size, held, &mut next, &mut a, &mut b).unwrap();
         for (joint, expected) in by[0][joints * k..][..joints].iter().enumerate() {
             for i in 0..3 {
                 let found: f64 = (0..2 * N).map(|row| costate[row] * b[joints * row + joint].0[i]).sum();

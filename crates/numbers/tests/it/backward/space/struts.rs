@@ -3,27 +3,34 @@
 use super::loads::{MEDIUM, Medium};
 use super::*;
 
-/// Numbers of a strut between bodies, and of one to the ground.
-const STRUTS: [f64; 18] =
-    [0.3, 0.1, -0.2, 0.5, -0.2, 0.1, 9.0, 0.4, 0.6, 0.4, -0.1, 0.3, 1.5, 1.2, -0.7, 14.0, 0.3, 0.5];
+/// Numbers of a strut between bodies, of one to the ground, and of the laws of both.
+const STRUTS: [f64; 22] = [
+    0.3, 0.1, -0.2, 0.5, -0.2, 0.1, 9.0, 0.4, 0.6, 0.4, -0.1, 0.3, 1.5, 1.2, -0.7, 14.0, 0.3, 0.5, 0.7, 0.06, 1.1, 0.04,
+];
 /// What they are.
-const KINDS: [(&str, usize); 5] = [
+const KINDS: [(&str, usize); 6] = [
     ("ends on bodies", 6),
     ("a spring, damper and length", 3),
     ("an end on a body", 3),
     ("an end on the ground", 3),
     ("another spring, damper and length", 3),
+    ("laws of struts", 4),
 ];
 
 /// Struts between the numbered bodies, and a medium, from their numbers.
-fn struts<T: Scalar>(bodies: [usize; 3], number: impl Fn(usize) -> T) -> ([Strut<T, 3>; 2], Medium<T>) {
+#[allow(clippy::type_complexity)] // two in one
+fn struts<T: Scalar>(
+    bodies: [usize; 3],
+    number: impl Fn(usize) -> T,
+) -> ([Strut<T, 3, Custom<Stiffening<T>>>; 2], Medium<T>) {
     let point = |k: usize| [0, 1, 2].map(|i| number(k + i));
-    let with = |strut: Strut<T, 3>, k: usize| {
-        strut.with_stiffness(number(k)).with_damping(number(k + 1)).with_length(number(k + 2))
+    let with = |strut: Strut<T, 3>, k: usize, law: usize| {
+        let strut = strut.with_stiffness(number(k)).with_damping(number(k + 1)).with_length(number(k + 2));
+        strut.with_law(Custom(Stiffening { stiffness: number(law), damping: number(law + 1) }))
     };
-    let inside = with(Strut::between((bodies[0], point(0)), (bodies[1], point(3))), 6);
-    let outside = with(Strut::to_ground((bodies[2], point(9)), point(12)), 15);
-    ([inside, outside], Medium::of(&number, 18))
+    let inside = with(Strut::between((bodies[0], point(0)), (bodies[1], point(3))), 6, 18);
+    let outside = with(Strut::to_ground((bodies[2], point(9)), point(12)), 15, 20);
+    ([inside, outside], Medium::of(&number, 22))
 }
 
 /// Balls, a hinge, a slide and a weld, an arm, a root at a place.
@@ -58,7 +65,7 @@ fn trees_under_struts_have_the_gradients_of_jets() {
                 let chain = (of(0), Branch((Ball, of(1))), hinge, of(1), weld, of(0), slide, of(1), Ball, of(0));
                 System::new(Pinned::on(vector(38)), chain, Free).unwrap().with_gravity(vector(26))
             },
-            pulled(24, |y| { struts([1, 4, 3], |k| y(41 + k)) })
+            pulled(28, |y| { struts([1, 4, 3], |k| y(41 + k)) })
         );
     });
 }
@@ -84,7 +91,7 @@ fn closed_scenes_under_struts_have_the_gradients_of_jets() {
             2,
             0.02,
             |x| { closed!(N, x) },
-            pulled(24, |y| { struts([1, 4, 5], |k| y(35 + k)) })
+            pulled(28, |y| { struts([1, 4, 5], |k| y(35 + k)) })
         );
     });
 }
@@ -121,7 +128,7 @@ fn robots_under_struts_have_the_gradients_of_jets() {
                 let chain = (BodyAxes, link, Branch((hip, link)), knee, link, hip, link, Flange::at(vector(3)), rod);
                 System::new(Free, chain, Free).unwrap().with_gravity(vector(0))
             },
-            pulled(24, |y| { struts([1, 4, 2], |k| y(26 + k)) })
+            pulled(28, |y| { struts([1, 4, 2], |k| y(26 + k)) })
         );
     });
 }
@@ -156,7 +163,7 @@ fn implicit_rules_under_struts_have_the_gradients_of_jets() {
                     let chain = (of(0), sprung, of(1), hinge, of(0));
                     System::new(Hinged::on(ground, vector(29)), chain, Free).unwrap().with_gravity(vector(26))
                 },
-                pulled(24, |y| { struts([0, 2, 1], |k| y(35 + k)) })
+                pulled(28, |y| { struts([0, 2, 1], |k| y(35 + k)) })
             );
         }};
     }
