@@ -65,6 +65,14 @@ impl<'n, T: Scalar> Coupling<'n, T> {
 
 /// A coupling of a scene: the numbers of follower and leader, of joints, of coordinates and of rates.
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: serde::Serialize, T::Real: serde::Serialize",
+        deserialize = "T: serde::Deserialize<'de>, T::Real: serde::Deserialize<'de>"
+    ))
+)]
 struct Tie<T: Scalar> {
     joints: [usize; 2],
     coordinates: [usize; 2],
@@ -121,6 +129,14 @@ impl<T: Scalar> Tie<T> {
 /// # Ok::<(), catena::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "[T; K]: serde::Serialize, T: serde::Serialize, T::Real: serde::Serialize, [Tie<T>; K]: serde::Serialize, L: serde::Serialize",
+        deserialize = "[T; K]: serde::Deserialize<'de>, T: serde::Deserialize<'de>, T::Real: serde::Deserialize<'de>, [Tie<T>; K]: serde::Deserialize<'de>, L: serde::Deserialize<'de>"
+    ))
+)]
 pub struct Couplings<T: Scalar, const K: usize, L = Unloaded> {
     ties: [Tie<T>; K],
     /// Forces λ (N·m, N) of a sweep under way.

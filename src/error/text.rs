@@ -72,9 +72,9 @@ impl fmt::Display for Fault {
             Fault::NoSuchJoint { joint, joints } => {
                 write!(f, "there is no joint {joint}: there are {joints}, from 0 on")
             }
-            Fault::NoSuchName { what, name } => write!(f, "there is no {what} named {name}"),
+            Fault::NoSuchName { what, name } => write!(f, "there is no {what} named \"{name}\""),
             Fault::AmbiguousName { what, name, count } => {
-                write!(f, "{name} names {count} of kind {what}: reach them by number")
+                write!(f, "\"{name}\" names {count} of kind {what}: reach them by number")
             }
             Fault::ImpossibleTurn { residual } => {
                 write!(

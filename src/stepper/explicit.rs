@@ -3,7 +3,7 @@
 use super::between::complete;
 use super::displace::{are_few, displace, displace_by_row, gather, gather_few, mean_square};
 use super::{Method, MotionIn, Stepper, TimeIn, of_stage};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, ensure_finite};
 use crate::mirror::{Position, Rate, Retraction};
 use crate::motion::Motion;
 use crate::scalar::{Elementary, Real, Scalar};
@@ -135,8 +135,9 @@ impl<D: Dynamics<L>, L, M: Explicit> ExplicitStepper<D, L, M> {
 }
 
 impl<D: Dynamics<L>, L, M: Explicit> Stepper<D, L> for ExplicitStepper<D, L, M> {
-    fn admit(&self, past: &MotionIn<D, L>, loads: &L, _: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
+    fn admit(&self, past: &MotionIn<D, L>, loads: &L, dt: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
         self.scene.admits(loads)?;
+        ensure_finite(dt.is_finite(), "step size")?;
         if past.fits(&self.still) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }
 

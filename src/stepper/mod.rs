@@ -58,23 +58,23 @@ pub(crate) fn advances<R: Real>(step: R) -> Result<(), Error> {
     Err(Error::new(Fault::NotPositive { parameter: "step size", value: step.as_f64() }))
 }
 
-/// Refuses a joint whose mode has another sign than its rate, which friction would drive, and one that leaves the range between its stops. Of
+/// Refuses a joint whose mode has another sign than its rate, which friction would drive, and one that is beyond the range between its stops. Of
 /// `next` it makes a copy.
 fn moves_as_modes_say<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut MotionIn<D, L>) -> Result<(), Error> {
     if const { !D::Position::MODES } {
         return Ok(());
     }
     next.copy_state(past);
-    let (mut against, touching) = (false, TimeIn::<D, L>::one() + Mode::touch());
+    let (mut wrong, touching) = (None, TimeIn::<D, L>::one() + Mode::touch());
     next.position.each_mode(&mut next.rate, &past.acceleration, &mut |mode, rate, told| {
-        let moves = !mode.is_locked() || !rate.real().is_zero();
-        let beyond = told.stops && moves && told.guard.real().abs() > touching;
-        let outward = beyond && (told.guard * *rate).real() > Zero::zero();
-        against |= outward || (mode.sign::<D::Scalar>() * *rate).real() < Zero::zero();
+        let moves = !mode.is_locked() || (told.guard * *rate).real() > Zero::zero();
+        if told.stops && moves && told.guard.real().abs() > touching {
+            wrong = wrong.or(Some("a step of a joint from beyond its hard stop: runs end steps there, single ones do not"));
+        } else if (mode.sign::<D::Scalar>() * *rate).real() < Zero::zero() {
+            wrong = wrong.or(Some("a step of a joint with dry friction that moves against its mode: runs change modes, single steps do not"));
+        }
     });
-    let what =
-        "a joint with dry friction against its mode, or one beyond its stop: runs change modes, single steps do not";
-    if against { Err(Error::new(Fault::Unsupported { what }).at_time(past.time.as_f64())) } else { Ok(()) }
+    wrong.map_or(Ok(()), |what| Err(Error::new(Fault::Unsupported { what }).at_time(past.time.as_f64())))
 }
 
 /// Refuses scenes with joints that have modes over lanes, each of which would have changes of mode of its own.
@@ -151,7 +151,8 @@ pub trait Stepper<D: Dynamics<L>, L> {
     /// # Errors
     /// What kept the step from a finite motion, with time and station; `next` is then undefined and `past` as it was. An implicit
     /// method also refuses a step that is not positive and finite, and parameters that make no rule. [`Fault::Unsupported`] where a joint
-    /// with dry friction has come to move against the mode that a run has left it in.
+    /// with dry friction has come to move against the mode that a run has left it in, and where one is beyond its hard stop. A joint that sticks, or rests
+    /// against a stop, does so for the whole step, whatever pulls at it: runs, and steps by `MoreauJean`, let it go.
     fn step(
         &mut self,
         past: &MotionIn<D, L>,

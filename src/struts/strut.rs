@@ -61,7 +61,6 @@ pub struct Strut<T, const D: usize, W = Absent> {
     pub(crate) stiffness: T,
     pub(crate) damping: T,
     pub(crate) length: T,
-    #[cfg_attr(feature = "serde", serde(default))]
     pub(crate) acts: Acts,
     pub(crate) law: W,
 }

@@ -21,8 +21,9 @@ use super::{Control, Rule};
 /// gives back a share e of its rate, leaves with −e times that. All these joints are a linear complementarity problem, which is solved by
 /// pivoting, exactly: each pass is one more sweep, and most steps take none. (Random arms with two joints that rub and two that
 /// strike take 1.09 sweeps a step, chains of forty such joints 1.5 to 2.7, and 18 at most.) Several joints may strike or stick at once, and in mechanisms more than are free to move:
-/// what each of them bears is then one of many answers, the motion is not. A run refuses a start beyond a stop; a step by hand throws what
-/// stands there back to it.
+/// what each of them bears is then one of many answers, the motion is not. A joint that rebounds does so from where the step began, and looks at no
+/// other stop: what it leaves behind in a step, e v h, has to be less than its range. A run refuses a start beyond a stop; a step by hand takes what
+/// stands there back to it, at a rate that it keeps.
 ///
 /// # What it costs
 ///

@@ -379,6 +379,15 @@ fn what_is_no_joint_is_refused() -> Result<(), Error> {
     let moving = scene.with_accelerations(scene.with_rates(start, &[1.0])?, &Unloaded)?;
     let refused = scene.stepper(Rk4).step(&moving, &Unloaded, 0.1, &mut next).expect_err("beyond").fault;
     assert!(matches!(refused, Fault::Unsupported { .. }));
+    let stopped = System::new(Clamped::origin(), (HardStops::between(Slider::along(0.0), [-1.0, 1.0]), block), Free)?;
+    let mut start_beyond = stopped.motion();
+    start_beyond.set_coordinates(&[1.1])?;
+    for rate in [0.0, 1.0, -0.5] {
+        let from = stopped.with_accelerations(stopped.with_rates(start_beyond, &[rate])?, &Unloaded)?;
+        let mut next = start_beyond;
+        let refused = stopped.stepper(Rk4).step(&from, &Unloaded, 0.1, &mut next).expect_err("beyond").fault;
+        assert!(matches!(refused, Fault::Unsupported { what } if what.contains("beyond its hard stop")), "{rate}");
+    }
     // A step of the rule that finds modes throws it back, also from rest.
     for rate in [0.0, 1.0, -0.5] {
         let from = scene.with_rates(start, &[rate])?;

@@ -365,7 +365,10 @@ fn what_makes_no_run_with_stops_is_refused() -> Result<(), Error> {
             Err(error) => refused = Some(error.fault),
         }
     }
-    assert!(matches!(refused, Some(Fault::Unsupported { what }) if what.contains("beyond its stop")), "{refused:?}");
+    assert!(
+        matches!(refused, Some(Fault::Unsupported { what }) if what.contains("beyond its hard stop")),
+        "{refused:?}"
+    );
     // Derivatives in steps that change modes within, equilibria.
     let one = Jet::<f64, 1>::seed(1.0, 0);
     let stop = HardStops::between(Slider::along(Jet::of(0.0)), [Jet::of(0.0), one]);

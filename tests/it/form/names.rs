@@ -193,15 +193,15 @@ fn what_is_not_there_is_an_error() -> Result<(), Error> {
     let message = |error: Result<(), Error>| error.map_err(|error| error.to_string());
     // A body's name is none of a joint, and the other way round.
     for name in ["elbow", "base", ""] {
-        assert_eq!(message(scene.joint(name).map(|_| ())), Err(format!("there is no joint named {name}")));
+        assert_eq!(message(scene.joint(name).map(|_| ())), Err(format!("there is no joint named \"{name}\"")));
     }
     for name in ["wrist", "lock"] {
-        assert_eq!(message(scene.body(name).map(|_| ())), Err(format!("there is no body named {name}")));
+        assert_eq!(message(scene.body(name).map(|_| ())), Err(format!("there is no body named \"{name}\"")));
     }
     let several = message(scene.joint("legs").map(|_| ()));
-    assert_eq!(several, Err("legs names 3 of kind joint: reach them by number".into()));
+    assert_eq!(several, Err("\"legs\" names 3 of kind joint: reach them by number".into()));
     let long = message(scene.joint("eine Grübelei über Gelenke").map(|_| ()));
-    assert_eq!(long, Err("there is no joint named eine Grübelei über Ge...".into()));
+    assert_eq!(long, Err("there is no joint named \"eine Grübelei über Ge...\"".into()));
 
     let count = |list, expected, given| Err(Fault::Count { list, expected, given });
     let (knee, root, lock) = (scene.joint("knee")?, scene.joint("root")?, scene.joint("lock")?);

@@ -1,6 +1,6 @@
 //! What is refused: other shapes by their names, parameters that make no mechanics, memories that no run has left.
 
-use crate::record::bits;
+use crate::record::{bits, read, same};
 use catena::planar::*;
 use catena::system::MotionOf;
 use catena::{Error, Fault, spatial};
@@ -100,6 +100,27 @@ fn laws_motors_and_contacts_are_data() -> Result<(), Error> {
     let contacts = spatial::Contacts::of([(0, [0.0, 0.1, 0.2])], spatial::Plane::level(-0.1), law);
     let read = |text: &str| serde_json::from_str::<spatial::Contacts<[(usize, [f64; 3]); 1], _, _>>(text);
     assert_eq!(read(&serde_json::to_string(&contacts).unwrap()).unwrap(), contacts);
+    Ok(())
+}
+
+/// What is read moves a scene as what was written; a strut without its kind, a rope for example, is none.
+#[test]
+fn struts_and_couplings_are_data() -> Result<(), Error> {
+    let (rod, turn) = (Rod::uniform(0.5, 1.0), Revolute::smooth());
+    let scene = System::new(Pinned::<[f64; 2]>::origin(), (rod, turn, rod, turn, rod), Free)?.with_gravity(9.81);
+    let rope = Strut::to_ground((2, [0.5, 0.0]), [0.3, 0.4]).with_stiffness(50.0).with_length(0.4).pulling();
+    let struts = Struts::of([rope.with_law(Spring::new(3.0).damped(0.2).resting_at(0.1))]);
+    let loads = Couplings::of(&scene, [Coupling::new(2, 1).ratio(-0.7).offset(0.1)])?.and(struts);
+    let start = loads.joined(scene.at_rest(&[0.3, 0.2, 0.0])?);
+    let written = scene.simulation(Dop853::tolerance(1e-9)).loads(&loads).run(start, 0.5, |_| ())?.motion;
+    for loads in read(&loads) {
+        let found = scene.simulation(Dop853::tolerance(1e-9)).loads(&loads).run(start, 0.5, |_| ())?.motion;
+        same("under struts and couplings", &found, &written);
+    }
+    let text = serde_json::to_string(&struts).unwrap();
+    assert!(
+        reason::<Struts<f64, 2, 1, Unloaded, Spring<f64, f64, f64>>>(&text.replace("acts", "act")).contains("acts")
+    );
     Ok(())
 }
 
