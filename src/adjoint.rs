@@ -29,6 +29,7 @@
 //! (`mechanics/planar/adjoint/`, `mechanics/spatial/adjoint/`).
 
 mod body_law;
+pub mod by_strut;
 pub mod jets;
 pub mod laws;
 mod outboard;

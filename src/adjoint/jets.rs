@@ -1,6 +1,6 @@
 //! Laws through which costates go backward by jets of what they read, and several laws along one coordinate.
 
-use super::laws::{NUMBERS, ReversibleLaw};
+use super::laws::{NUMBERS, ReversibleLaw, count};
 use crate::element::Implicit;
 use crate::lift::Lift;
 use crate::scalar::{Jet, Scalar};
@@ -77,12 +77,7 @@ by_jets!(DryFriction, Stops);
 
 /// The rest of a list, after as many numbers as a law has.
 fn beyond<'l, T: Scalar>(law: &impl Lift<T, T>, list: &'l mut [T]) -> (&'l mut [T], &'l mut [T]) {
-    let mut count = 0;
-    law.lift(&mut |number| {
-        count += 1;
-        number
-    });
-    list.split_at_mut(count.min(list.len()))
+    list.split_at_mut(count(law).min(list.len()))
 }
 
 /// Several laws: what each does adds up, and their numbers come one after the other.

@@ -28,6 +28,16 @@ pub trait ReversibleLaw<T: Scalar>: SpringLaw<T> {
     fn pull_back_led(&self, at: [T; 3], of_force: T, springs: Implicit<T::Real>, of_numbers: &mut [T]) -> [T; 2];
 }
 
+/// Of how many numbers something is made.
+pub fn count<T: Scalar, L: Lift<T, T>>(law: &L) -> usize {
+    let mut count = 0;
+    law.lift(&mut |number| {
+        count += 1;
+        number
+    });
+    count
+}
+
 /// What a law gives in a sweep through which costates go backward, force and pivot: where the last sweep has led, if it is not linear, or
 /// without the acceleration sought, as [`read`](crate::spring::read).
 #[cfg_attr(optimised, inline(always))]

@@ -15,13 +15,11 @@
 
 use super::Reversed;
 use super::body_law::OfLaw;
+use super::by_strut::ByStrut;
 use super::laws::{NUMBERS, ReversibleLaw};
-use crate::error::Fault;
-use crate::lift::Lift;
 use crate::relation::Additive;
 use crate::scalar::Scalar;
 use crate::space::FrameOf;
-use crate::spring::SpringLaw;
 use crate::struts::{End, Points, Sight, Strut, dot, is_absent, norm};
 use nalgebra::SVector;
 use num_traits::Zero;
@@ -44,74 +42,6 @@ pub trait ReversiblePoints<const D: usize>: Points<D> + Reversed {
     ) -> (Self::Felt, SVector<Self::Scalar, D>);
 }
 
-/// Derivatives of a cost by the numbers of a strut.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ByStrut<T, const D: usize> {
-    /// By the coordinates (m) of its ends: of a body's point in axes of the body, or of a place of the ground.
-    pub ends: [SVector<T, D>; 2],
-    /// By its stiffness (N/m).
-    pub stiffness: T,
-    /// By its damping (N·s/m).
-    pub damping: T,
-    /// By its length (m) at which the spring does not pull.
-    pub length: T,
-    /// By the numbers of its law.
-    law: [T; NUMBERS],
-    /// How many these are.
-    count: usize,
-    /// Whether the strut acts at some time, and whether it hung slack before.
-    acts: bool,
-    set_in: bool,
-}
-
-impl<T: Scalar, const D: usize> ByStrut<T, D> {
-    /// No derivatives by the numbers of a strut.
-    pub(crate) fn none<W: Lift<T, T>>(strut: &Strut<T, D, W>) -> Self {
-        let (zero, none, mut count) = (T::zero(), SVector::repeat(T::zero()), 0);
-        strut.law.lift(&mut |number| {
-            count += 1;
-            number
-        });
-        Self {
-            ends: [none; 2],
-            stiffness: zero,
-            damping: zero,
-            length: zero,
-            law: [zero; NUMBERS],
-            count,
-            acts: false,
-            set_in: false,
-        }
-    }
-
-    /// By the numbers of its [law](Strut::with_law), in the order in which [`Lift`] meets them: six at most, for a run under a law of more has no
-    /// gradient backward.
-    pub fn law(&self) -> &[T] {
-        self.law.get(..self.count).unwrap_or(&self.law)
-    }
-
-    /// Refuses a law of more numbers than there is room for, and a force that set in with a jump, whose instant no costate knows.
-    pub(crate) fn known<W: SpringLaw<T>>(&self, strut: &Strut<T, D, W>) -> Result<(), Fault> {
-        let jumps = |rate| !strut.tension(strut.length, rate).real().is_zero();
-        if self.set_in && (jumps(T::one()) || jumps(-T::one())) {
-            let what = "the gradient of a run in which a rope or buffer sets in with a force, as of a damper: it jumps there; take a law that does not";
-            return Err(Fault::Unsupported { what });
-        }
-        let (expected, given) = (NUMBERS, self.count);
-        if given <= expected {
-            Ok(())
-        } else {
-            Err(Fault::Count { list: "numbers of a law of a strut", expected, given })
-        }
-    }
-
-    /// All of them, in the order in which a strut is lifted.
-    pub(crate) fn each_number(&mut self) -> impl Iterator<Item = &mut T> {
-        let Self { ends: [from, to], stiffness, damping, length, law, count, .. } = self;
-        from.iter_mut().chain(to).chain([stiffness, damping, length]).chain(law.iter_mut().take(*count))
-    }
-}
-
 /// Costates of the numbers of struts, and of a law beside them.
 pub type OfStruts<T, const D: usize, const N: usize> = ([ByStrut<T, D>; N], OfLaw<T>);
 
@@ -122,9 +52,8 @@ pub type EndsStirred<T, const D: usize, const N: usize> = [[SVector<T, D>; 2]; N
 struct Power<T, const D: usize> {
     by_place: SVector<T, D>,
     by_velocity: SVector<T, D>,
-    by_stiffness: T,
-    by_damping: T,
-    by_length: T,
+    /// By stiffness, damping and length.
+    by_numbers: [T; 3],
     by_law: [T; NUMBERS],
     /// Whether the strut acts, and whether it is too short or too long for that.
     acts: bool,
@@ -147,22 +76,12 @@ impl<T: Scalar, const D: usize> Power<T, D> {
         let mut by_law = [T::zero(); NUMBERS];
         if strut.has_no_direction() && is_absent(length) {
             let (by_place, by_velocity) = (stirred * k, SVector::repeat(T::zero()));
-            let (by_damping, by_length) = (s * speed, -(k * s));
-            return Self {
-                by_place,
-                by_velocity,
-                by_stiffness: dot(apart, stirred),
-                by_damping,
-                by_length,
-                by_law,
-                acts: true,
-                slack: false,
-            };
+            let by_numbers = [dot(apart, stirred), s * speed, -(k * s)];
+            return Self { by_place, by_velocity, by_numbers, by_law, acts: true, slack: false };
         }
         let force = strut.tension(distance, speed);
         // Where it hangs slack nothing changes what it does.
         let (s, stirred) = (strut.acting(stretch, force, s), stirred.map(|x| strut.acting(stretch, force, x)));
-        let (by_damping, by_length) = (s * speed, -(k * s));
         let [mut of_distance, mut of_speed] = [k * s, c * s];
         if W::ON {
             let [by_distance, by_speed] = strut.law.pull_back(distance, speed, -s, &mut by_law);
@@ -172,9 +91,7 @@ impl<T: Scalar, const D: usize> Power<T, D> {
         Self {
             by_place: n * along + (parting * of_speed + stirred * force) * inverse,
             by_velocity: n * of_speed,
-            by_stiffness: s * stretch,
-            by_damping,
-            by_length,
+            by_numbers: [s * stretch, s * speed, -(k * s)],
             by_law,
             acts: !strut.acting(stretch, force, T::one()).is_zero(),
             slack: strut.acting(stretch, stretch, T::one()).is_zero(),
@@ -225,12 +142,7 @@ pub fn felt<S: ReversiblePoints<D>, W: ReversibleLaw<S::Scalar>, const D: usize,
             let (more, of_point) = S::felt_at(frame, at, stirring, costates);
             (felt, by.ends[e]) = (felt + more, by.ends[e] + of_point);
             if e == 0 {
-                by.stiffness += power.by_stiffness;
-                by.damping += power.by_damping;
-                by.length += power.by_length;
-                // What is met later was before.
-                (by.acts, by.set_in) = (by.acts || power.acts, by.set_in || (by.acts && power.slack));
-                by.law.iter_mut().zip(power.by_law).for_each(|(sum, more)| *sum += more);
+                by.add(power.by_numbers, power.by_law, [power.acts, power.slack]);
                 if let End::Ground(_) = strut.ends[1] {
                     by.ends[1] += power.by_place;
                 }

@@ -2,7 +2,8 @@
 
 use super::Gradient;
 use super::struts::along;
-use crate::adjoint::struts::{ByStrut, OfStruts, ReversiblePoints};
+use crate::adjoint::by_strut::ByStrut;
+use crate::adjoint::struts::{OfStruts, ReversiblePoints};
 use crate::adjoint::{BodyLaw, Reversed};
 use crate::couplings::Couplings;
 use crate::element::Element;

@@ -85,7 +85,7 @@ mod gradient;
 mod stepper;
 mod struts;
 
-pub use crate::adjoint::struts::ByStrut;
+pub use crate::adjoint::by_strut::ByStrut;
 pub use backward::{Backward, Checkpoints, Tape};
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub use backward::{Course, PastGradient};

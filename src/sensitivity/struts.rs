@@ -2,7 +2,8 @@
 
 use super::Gradient;
 use crate::adjoint::BodyLaw;
-use crate::adjoint::struts::{ByStrut, OfStruts, ReversiblePoints};
+use crate::adjoint::by_strut::ByStrut;
+use crate::adjoint::struts::{OfStruts, ReversiblePoints};
 use crate::element::Element;
 use crate::lift::Lift;
 use crate::scalar::{Jet, Scalar};

@@ -183,8 +183,8 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
     /// The rest of a run that was saved: the same, bit by bit, if scene, loads, rule, samples and end are. Only steps that follow are shown.
     ///
     /// After an event that ended it, it goes on from there: the event is not found again, and fixed steps count from it. Another event is
-    /// looked for after the first thousandth of the first step. A run to another end is the same up to its last step, which is cut to end
-    /// there.
+    /// looked for after the first thousandth of the first step, which error control chooses anew. A run to another end is the same up to its
+    /// last step, which is cut to end there.
     ///
     /// Scene (gravity, for example), loads and motion (rates after an impact) may have changed, tolerance and step size too: steps begin with
     /// accelerations that belong to them, and methods that remember motions begin anew where these have jumped.

@@ -1,6 +1,7 @@
 //! What pulls a scene towards rest, and steps that follow it: K δ = M a, and downhill max(|K|, μ D) δ = M a.
 
-use super::linear::{Linear, differenced};
+use super::differences::differenced;
+use super::linear::Linear;
 use super::principal::Principal;
 use crate::dense::{Factors, Matrix};
 use crate::scalar::{Real, Scalar};

@@ -6,6 +6,8 @@ mod corrections;
 #[cfg(feature = "serde")]
 mod data;
 mod describe;
+#[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
+mod differences;
 mod doubts;
 mod dynamics;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
@@ -37,17 +39,20 @@ mod statics;
 mod strut_readings;
 mod sweeps;
 mod turning;
+mod under_loads;
 
 #[cfg(feature = "alloc")]
 pub use assembly::{Assembled, AssembledOf, Holding};
 pub(crate) use corrections::{Corrections, MOST_CORRECTIONS};
 pub use describe::Description;
+#[cfg(feature = "std")]
+pub(crate) use differences::{GRAVITY, differenced, step};
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "alloc")]
 pub use inertial::{Carried, Inertial};
 #[cfg(feature = "std")]
-pub(crate) use linear::{GRAVITY, Linear, differenced, step};
+pub(crate) use linear::Linear;
 #[cfg(feature = "std")]
 pub(crate) use lists::{numbers, set, unit};
 pub use series::SeriesDynamics;

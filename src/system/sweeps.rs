@@ -3,8 +3,7 @@
 use super::dynamics::{Dynamics, Held, Runs, StiffDynamics};
 use super::hold::shorten;
 use crate::element::{
-    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space,
-    Springs, Sweep, Watch,
+    Carrying, Close, Condense, Coordinates, Element, Explicit, Implicit, Level, Loading, Reading, RealOf, Space, Watch,
 };
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
@@ -14,10 +13,10 @@ use crate::relation::{Closures, Solvable, VectorSpace};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
-use crate::solve::riccati::{Site, Spring, Workspace, broken_load, correction, sweep};
+use crate::solve::riccati::{Spring, Workspace, broken_load, correction};
 use crate::space::{MovingBody, MovingJoint};
-use crate::system::{Elements, MotionOf, PositionOf, RateOf, System, coordinates};
-use crate::visit::{last_body, survey};
+use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
+use crate::visit::last_body;
 use crate::walks::broken::{broken, unled};
 use crate::walks::copy::copy;
 use crate::walks::fits::gains_fit;
@@ -131,11 +130,7 @@ where
         if far && let Some(angle) = self.angle_out_of_range(motion) {
             return error(Fault::AngleOutOfRange { angle });
         }
-        if const { !R::RESTS } && !self.root.ground(motion.time).is_finite() {
-            return error(Fault::NotFinite { parameter: "motion of the ground" })
-                .map_err(|error| error.at(Place::Root));
-        }
-        Ok(())
+        self.stands_on_ground(motion.time)
     }
 
     fn diagnose(&self, motion: &MotionOf<S, R, C, P>, loads: &L, workspace: &mut Self::Workspace) -> Error {
@@ -152,10 +147,10 @@ where
         if !self.gravity.all_finite() {
             return error(Fault::NotFinite { parameter: "gravity" });
         }
-        let ground = self.root.ground(time);
-        if !ground.is_finite() {
-            return error(Fault::NotFinite { parameter: "motion of the ground" }).at(Place::Root);
+        if let Err(lost) = self.stands_on_ground(time) {
+            return lost;
         }
+        let ground = self.root.ground(time);
         if let Some(entry) = unled(&self.chain, ground, &motion.position, &motion.rate) {
             return error(Fault::NotFinite { parameter: "driven coordinate" }).at(place(entry));
         }
@@ -256,54 +251,13 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// How deep closures are nested: loops, and the ground to which a tip is held.
     pub(crate) const CLOSED: usize = C::LOOPS + (P::Closures::COUNT > 0) as usize;
 
-    /// One sweep; several, where loads are found with the accelerations.
-    #[inline(always)]
-    #[allow(clippy::type_complexity)] // the types are those of the scene
-    fn sweep_under<W: Sweep<S>>(
-        &self,
-        time: RealOf<S>,
-        (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
-        spring: &Spring<'_, PositionOf<S, R, C>, RateOf<S, R, C>, W::Springs>,
-        loads: &W::Loads,
-        workspace: &mut Workspace<S, Elements<S, R, C>, W>,
-        acceleration: &mut RateOf<S, R, C>,
-    ) where
-        Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
-    {
-        let (stiff, yields) = const { (<W::Springs as Springs<S::Scalar>>::STIFF, W::Loads::YIELDS.together()) };
-        // What joints remember of the sweep before, which is none of those that ask what forces cause.
-        let remembered = (stiff && (yields || W::Loads::COUPLED)).then(|| workspace.kept.clone());
-        let mut swept = |loads: &W::Loads, again: bool, acceleration: &mut RateOf<S, R, C>| {
-            if again && let Some(remembered) = &remembered {
-                copy::<S, _, Kept<W::Closures>>(&self.chain, remembered, &mut workspace.kept);
-            }
-            let site = Site { again, ..self.site(time, loads) };
-            sweep(&self.chain, &site, position, rate, spring, workspace, acceleration);
-        };
-        let read = PositionOf::<S, R, C>::MODES || Self::CLOSED > 0 || stiff; // joints may remember the last sweep
-        // Constants ask, for behind a call of `accelerated` a sweep is compiled otherwise: 1 % more instructions of some.
-        if const { W::Loads::YIELDS.together() && <W::Springs as Springs<S::Scalar>>::STIFF } {
-            let &Spring { reading, springs, .. } = spring;
-            let see = |motion: Coordinates<'_, S, Elements<S, R, C>>| {
-                survey(&self.chain, self.root.ground(time), motion, loads)
-            };
-            let Reading { position: place, rate: speed, acceleration: led } = reading;
-            let before = &see(Coordinates { position: place, rate: speed, acceleration: led });
-            let see = |a: &RateOf<S, R, C>| see(Coordinates { position, rate: a, acceleration: a });
-            let mut yielded = |loads: &W::Loads, again: bool, acceleration: &mut RateOf<S, R, C>| {
-                let swept = |loads: &W::Loads, more: bool, a: &mut RateOf<S, R, C>| swept(loads, again || more, a);
-                loads.yielded((before, led), springs, see, acceleration, swept);
-            };
-            if const { W::Loads::COUPLED } {
-                loads.accelerated(read, acceleration, yielded);
-            } else {
-                yielded(loads, false, acceleration);
-            }
-        } else if const { W::Loads::COUPLED } {
-            loads.accelerated(read, acceleration, swept);
-        } else {
-            swept(loads, false, acceleration);
+    /// Refuses a ground whose motion is no number.
+    fn stands_on_ground(&self, time: RealOf<S>) -> Result<(), Error> {
+        if R::RESTS || self.root.ground(time).is_finite() {
+            return Ok(());
         }
+        let fault = Fault::NotFinite { parameter: "motion of the ground" };
+        Err(Error::new(fault).at_time(time.as_f64()).at(Place::Root))
     }
 
     /// The angle of a body or joint that is too large for accurate sines, if there is one.

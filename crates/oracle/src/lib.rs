@@ -9,4 +9,4 @@ pub mod plane;
 pub mod space;
 
 pub use linkage::four_bar;
-pub use measure::{Noise, derivative, has_order, near, slope};
+pub use measure::{Noise, derivative, farthest, has_order, near, slope};

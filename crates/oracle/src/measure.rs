@@ -30,6 +30,13 @@ pub fn near(found: f64, expected: f64, tolerance: f64) {
     assert!(error <= tolerance, "found {found:.16e}, expected {expected:.16e}, error {error:.1e} > {tolerance:.1e}");
 }
 
+/// The largest difference of numbers of two lists.
+#[track_caller]
+pub fn farthest(found: &[f64], expected: &[f64]) -> f64 {
+    assert_eq!(found.len(), expected.len());
+    found.iter().zip(expected).fold(0.0, |most, (a, b)| f64::max(most, (a - b).abs()))
+}
+
 /// The derivative of a function at zero, by central differences of order four.
 pub fn derivative(h: f64, at: impl Fn(f64) -> f64) -> f64 {
     (8.0 * (at(h) - at(-h)) - (at(2.0 * h) - at(-2.0 * h))) / (12.0 * h)

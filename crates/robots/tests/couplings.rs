@@ -5,7 +5,7 @@ use catena::scalar::{Jet, Pack};
 use catena::simulate::EnergyDrift;
 use catena::system::Position;
 use catena::{Error, Fault, Place, robot, spatial};
-use catena_oracle::{Noise, has_order, near};
+use catena_oracle::{Noise, farthest, has_order, near};
 use catena_robots::cart;
 
 /// Three numbers from −1 to 1.
@@ -212,8 +212,7 @@ fn joints_remember_the_sweep_that_counts() -> Result<(), Error> {
             let start = scene.assembled(couplings.joined(guess), &couplings)?;
             let run = scene.simulation(Dop853::tolerance(1e-12)).loads(&couplings).run(start, 0.5, |_| ())?;
             let exact = run.motion.coordinates();
-            let missed =
-                |found: Vec<f64>| found.iter().zip(&exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+            let missed = |found: Vec<f64>| farthest(&found, &exact);
             let (mut second, mut fourth) = (vec![], vec![]);
             for h in $steps {
                 let run =
@@ -278,7 +277,7 @@ fn rules_keep_their_orders_under_stiff_struts_and_couplings() -> Result<(), Erro
     let exact = scene.simulation(Dop853::tolerance(1e-12)).loads(&plain).run(start, 0.4, |_| ())?.motion.coordinates();
     let same = scene.simulation(Dop853::tolerance(1e-12)).loads(&stiff).run(start, 0.4, |_| ())?.motion.coordinates();
     assert_eq!(exact, same); // explicit rules take struts as they are
-    let missed = |found: Vec<f64>| found.iter().zip(&exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    let missed = |found: Vec<f64>| farthest(&found, &exact);
     let (mut second, mut fourth) = (vec![], vec![]);
     for h in [0.01, 0.005, 0.0025] {
         let run = scene.simulation(GeneralizedAlpha::new(0.8).step(h)).loads(&stiff).run(start, 0.4, |_| ())?;

@@ -2,7 +2,7 @@
 
 use catena::scalar::{Jet, Scalar};
 use catena::{Error, Fault, planar, spatial};
-use catena_oracle::{has_order, near};
+use catena_oracle::{farthest, has_order, near};
 
 /// A strut along a track is the spring of the slide on it, step by step.
 #[test]
@@ -45,7 +45,7 @@ fn rules_keep_their_orders() -> Result<(), Error> {
     let struts = Struts::of([across.with_length(0.9), down]);
     let start = scene.at_rest(&[0.4, -0.3, 0.5])?;
     let exact = scene.simulation(Dop853::tolerance(1e-12)).loads(&struts).run(start, 0.4, |_| ())?.motion.coordinates();
-    let missed = |found: Vec<f64>| found.iter().zip(&exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    let missed = |found: Vec<f64>| farthest(&found, &exact);
     let stiff = struts.stiff();
     let (mut second, mut fourth) = (vec![], vec![]);
     for h in [0.01, 0.005, 0.0025] {
@@ -107,7 +107,7 @@ fn struts_of_no_length_are_pins_when_they_are_hard() -> Result<(), Error> {
         let tip = loose.stations(&found, &pin)?.tip().frame.place;
         tip.iter().zip(place).for_each(|(a, b)| near(*a, b, 1e-7));
         let rates = found.rates();
-        missed.push((h, rates.iter().zip(&expected).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))));
+        missed.push((h, farthest(&rates, &expected)));
     }
     has_order("rates", 2.0, 1e-11, &missed);
     Ok(())
@@ -123,7 +123,7 @@ fn sweeps_that_ask_what_forces_cause_are_not_remembered() -> Result<(), Error> {
     let strut = Strut::to_ground((1, [0.7, 0.0]), [1.5, 1.2]).with_stiffness(300.0).with_damping(2.0).with_length(1.0);
     let (struts, start) = (Struts::of([strut]), scene.motion());
     let exact = scene.simulation(Dop853::tolerance(1e-12)).loads(&struts).run(start, 0.5, |_| ())?.motion.coordinates();
-    let missed = |found: Vec<f64>| found.iter().zip(&exact).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()));
+    let missed = |found: Vec<f64>| farthest(&found, &exact);
     let (mut second, mut fourth, stiff) = (vec![], vec![], struts.stiff());
     for h in [4e-3, 2e-3, 1e-3] {
         let run = scene.simulation(GeneralizedAlpha::new(0.8).step(h)).loads(&stiff).run(start, 0.5, |_| ())?;
@@ -159,7 +159,7 @@ fn hard_struts_leave_closures_closed() -> Result<(), Error> {
     let mut missed = vec![];
     for h in [4e-3, 2e-3, 1e-3] {
         let found = end(h)?;
-        missed.push((h, found.iter().zip(&fine).fold(0.0_f64, |most, (a, b)| most.max((a - b).abs()))));
+        missed.push((h, farthest(&found, &fine)));
     }
     has_order("coordinates", 2.0, 1e-11, &missed);
     Ok(())

@@ -1,8 +1,9 @@
 //! The costate sweep in the plane: struts.
 
 use super::loads::{BODY, Felt};
+use crate::adjoint::by_strut::ByStrut;
 use crate::adjoint::laws::ReversibleLaw;
-use crate::adjoint::struts::{ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
+use crate::adjoint::struts::{EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
 use crate::adjoint::{ActsOnBodies, BodyLaw, OfLaw, ReversibleLoads};
 use crate::error::Fault;
 use crate::lift::Lift;

@@ -3,8 +3,9 @@
 use super::Turning;
 use super::felt::Felt;
 use super::read::BODY;
+use crate::adjoint::by_strut::ByStrut;
 use crate::adjoint::laws::ReversibleLaw;
-use crate::adjoint::struts::{ByStrut, EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
+use crate::adjoint::struts::{EndsStirred, OfStruts, ReversiblePoints, felt, stir, struts};
 use crate::adjoint::{ActsOnBodies, BodyLaw, OfLaw, ReversibleLoads};
 use crate::error::Fault;
 use crate::lift::Lift;

@@ -1,0 +1,166 @@
+//! Differences by which a scene is linearised, of eighth order; where a force has a kink close by they are narrowed.
+
+use super::inertial::Inertial;
+use super::lists::numbers;
+use super::{Dynamics, MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System};
+use crate::element::{Element, Implicit, Loading, Reading, RealOf};
+use crate::ends::{Root, Tip};
+use crate::mirror::{Position, Rate};
+use crate::scalar::{Real, Scalar};
+use alloc::vec;
+use alloc::vec::Vec;
+use num_traits::{One, Zero};
+
+/// Central differences of eighth order, and of fourth: places (in steps) and weights.
+const DIFFERENCES: [(f64, f64, f64); 4] =
+    [(1.0, 0.8, 2.0 / 3.0), (2.0, -0.2, -1.0 / 12.0), (3.0, 4.0 / 105.0, 0.0), (4.0, -1.0 / 280.0, 0.0)];
+
+/// How accelerations (m/s², rad/s²) change along a direction.
+pub(crate) struct Change<T: Scalar> {
+    /// By all but springs, and by these.
+    pub by: [Vec<T>; 2],
+    /// The largest of both.
+    pub size: T::Real,
+    /// By how much differences of fourth order are others.
+    astray: T::Real,
+    /// By how much more they change ahead than behind.
+    bent: T::Real,
+}
+
+/// By so much smaller steps are beside a kink, down to this power of a rounding.
+const SMALLER: f64 = 0.0625;
+const LEAST: f64 = 0.55;
+/// A force that changes by another such share ahead than behind, however near, has a kink.
+const BENT: f64 = 0.2;
+/// So many roundings are left of accelerations as large as those of unit displacements, or as gravity.
+const ROUNDINGS: f64 = 16.0;
+/// What gravity makes, about (m/s²).
+pub(crate) const GRAVITY: f64 = 10.0;
+
+impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// What differences that disagree, or bend, are where steps are ever smaller; and by which share of the largest they still do, beyond rounding of what is
+    /// as large as the `largest` change by any direction: as a force that has a kink right there does.
+    ///
+    /// Differences disagree that reach beyond a kink, of a rope that is hardly taut say. They bend if they are others ahead than behind.
+    #[allow(clippy::type_complexity)] // two in one argument
+    pub(crate) fn beside_kinks<L: Loading<S>>(
+        &self,
+        (still, direction): (&MotionOf<S, R, C, P>, &RateOf<S, R, C>),
+        narrow: bool,
+        largest: RealOf<S>,
+        first: Change<S::Scalar>,
+        loads: &L,
+        workspace: &mut <Self as StiffDynamics<L>>::StiffWorkspace,
+    ) -> ([Vec<S::Scalar>; 2], RealOf<S>)
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let [agree, bent, smaller, two] =
+            [differenced(), RealOf::<S>::of(BENT), RealOf::<S>::of(SMALLER), RealOf::<S>::of(2.0)];
+        let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS) * (largest + RealOf::<S>::of(GRAVITY));
+        let shares = |change: &Change<S::Scalar>, step: RealOf<S>| {
+            [(change.astray, agree), (change.bent, bent)]
+                .map(|(x, limit)| x / change.size.max(rounding / (step * limit)))
+        };
+        let (mut step, least) = (step::<RealOf<S>>(), RealOf::<S>::EPSILON.powf(RealOf::<S>::of(LEAST)));
+        let [mut disagree, mut bends] = shares(&first, step);
+        let (mut best, mut before) = (first.by, first.bent);
+        while (disagree > agree || bends > bent) && step > least {
+            step *= smaller;
+            let found = self.change(still, direction, (narrow, step), loads, workspace);
+            let [other, still_bends] = shares(&found, step);
+            // Where a force is smooth they bend in proportion to steps.
+            if disagree <= agree && found.bent < before * smaller * two && found.bent * two > before * smaller {
+                return (best, disagree);
+            }
+            before = found.bent;
+            if other <= agree || other < disagree * smaller || (bends > bent && still_bends <= bent) {
+                (best, disagree, bends) = (found.by, other, still_bends);
+            }
+        }
+        (best, if bends > bent { RealOf::<S>::one() } else { disagree })
+    }
+
+    /// How accelerations change where a motion at rest is displaced along a direction, by central differences of a step. Where `narrow` displacements
+    /// stay where loops are closed.
+    pub(crate) fn change<L: Loading<S>>(
+        &self,
+        still: &MotionOf<S, R, C, P>,
+        direction: &RateOf<S, R, C>,
+        (narrow, step): (bool, RealOf<S>),
+        loads: &L,
+        workspace: &mut <Self as StiffDynamics<L>>::StiffWorkspace,
+    ) -> Change<S::Scalar>
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let none = RealOf::<S>::zero();
+        // Springs as in an explicit sweep, but apart from the rest: they may be so stiff that the error of a difference in
+        // which the inertia changes too would drown all else.
+        let springs = Implicit { position: none, rate: none };
+        let (mut place, mut acceleration) = (still.position.clone(), still.rate.clone());
+        let freedoms = numbers(&still.rate).len();
+        let mut by = [(); 2].map(|()| vec![S::Scalar::zero(); freedoms]);
+        let mut doubts = vec![[none; 2]; freedoms];
+        for (steps, weight, fewer) in DIFFERENCES {
+            for sign in [1.0, -1.0] {
+                let reach = step * RealOf::<S>::of(sign * steps);
+                place.drift_0(&still.position, (reach, direction));
+                place.set_clocks(still.time);
+                if narrow {
+                    self.lead_back(&mut place, still, loads);
+                }
+                let (here, there) = ((&still.position, &still.rate), (&place, &still.rate));
+                let [weight, other] = [weight, weight - fewer].map(|weight| RealOf::<S>::of(sign * weight) / step);
+                let next = if steps == 1.0 { step.recip() } else { none };
+                for ((at, spring), change) in [(there, here), (here, there)].into_iter().zip(&mut by) {
+                    let found = &mut acceleration;
+                    // No acceleration: the rates are zero.
+                    let reading = Reading { position: spring.0, rate: spring.1, acceleration: &still.rate };
+                    self.implicit_accelerations(still.time, at, spring, reading, springs, loads, workspace, found);
+                    let mut sums = change.iter_mut().zip(&mut doubts);
+                    acceleration.all(&still.acceleration, &mut |x, here| {
+                        if let Some((sum, [astray, bent])) = sums.next() {
+                            *sum += x.scale(weight);
+                            *astray += x.real() * other;
+                            *bent += (x.real() - here.real()) * next;
+                        }
+                        true
+                    });
+                }
+            }
+        }
+        let largest = |most: RealOf<S>, x: RealOf<S>| most.max(x.abs());
+        let size = by.iter().flatten().map(|x| x.real()).fold(none, largest);
+        let [astray, bent] = [0, 1].map(|k| doubts.iter().map(|doubt| doubt[k]).fold(none, largest));
+        Change { by, size, astray, bent }
+    }
+
+    /// Closes loops at a place near that of a motion at rest; where that fails it stays, and what is found there is no number or far off.
+    fn lead_back<L: Loading<S>>(&self, place: &mut PositionOf<S, R, C>, still: &MotionOf<S, R, C, P>, loads: &L)
+    where
+        Self: Runs<L, S, R, C, P>,
+    {
+        let mut near = still.clone();
+        near.position.clone_from(place);
+        if self.hold(&mut near, loads, &mut self.workspace()).is_ok() {
+            core::mem::swap(&mut near.position, place);
+        }
+    }
+}
+
+/// The step of the differences, 2⁻¹⁰ of `f64` and 2⁻⁷ of `f32`: where (25 h)⁸, what they leave of a rope of a hundred links by their order, is
+/// about what rounding leaves, ε / h. A power of two adds to an angle without rounding.
+pub(crate) fn step<R: Real>() -> R {
+    let mut step = R::one();
+    while step.powf(R::of(9.0)) > R::EPSILON * R::of(6.6e-12) {
+        step *= R::of(0.5);
+    }
+    step
+}
+
+/// What differences and rounding leave, at most: of a position of rest (rad, m), and of a stiffness as asymmetry, as a share of it. 1e-6 of `f64`,
+/// 2e-3 of `f32`; they leave far less.
+pub(crate) fn differenced<R: Real>() -> R {
+    R::EPSILON.powf(R::of(0.383))
+}
