@@ -14,7 +14,7 @@ use crate::element::{Load, Loading, RealOf, Space};
 use crate::error::Fault;
 use crate::error::checks::{finite, not_negative, positive};
 use crate::lift::Lift;
-use crate::loading::Yields;
+use crate::loading::{Yields, couples};
 use crate::relation::{Absent, Wrench, WrenchOf};
 use crate::scalar::Scalar;
 use crate::spring::SpringLaw;
@@ -132,6 +132,7 @@ where
     type OnBody = WrenchOf<S>;
     type InJoint = L::InJoint;
     type Seen = (Sight<S::Scalar, D, N>, L::Seen);
+    type Responses<V: Clone> = ();
     const ON: bool = true;
     const SURVEYS: bool = true;
 
@@ -143,7 +144,7 @@ where
                 "beside struts loads do not yield: take contacts as `plain` ones, and struts that are stiff in one list, last: `struts.and(loads).stiff()`"
             )
         }
-        const { assert!(!L::COUPLED, "couplings stand before struts: `couplings.and(struts)`") }
+        const { assert!(!couples::<S, L>(), "couplings stand before struts: `couplings.and(struts)`") }
         const { assert!(!L::BY_COORDINATE, "beside struts joints are numbered from the root's on: take `Loads::efforts`") }
         (Wrench::none(), L::nothing().1)
     }

@@ -3,15 +3,12 @@
 use super::{Couplings, Tie, unit};
 use crate::element::{Level, Loading, RealOf, Springs};
 use crate::error::Fault;
-use crate::loading::{EffortOf, LARGER, Yields, missed_beyond};
+use crate::loading::{EffortOf, LARGER, Yields, couples};
 use crate::mirror::{Position, Rate};
 use crate::relation::Additive;
 use crate::scalar::{Real, Scalar};
 use crate::transfer::{Efforts, FromEfforts};
 use num_traits::{One, Zero};
-
-/// By so many roundings followers may miss their leaders where a motion is closed.
-const ROUNDINGS: f64 = 8.0;
 
 /// What sweeps answer without couplings, and to the force of each.
 struct Answers<T: Scalar, V, const K: usize> {
@@ -25,8 +22,9 @@ struct Answers<T: Scalar, V, const K: usize> {
 }
 
 /// Adds a share of each response.
-fn along<T: Scalar, V: Rate<T>, const K: usize>(sum: &mut V, responses: [V; K], shares: [T; K]) {
-    for (mut response, share) in responses.into_iter().zip(shares) {
+fn along<T: Scalar, V: Rate<T>, const K: usize>(sum: &mut V, responses: &[V; K], shares: [T; K]) {
+    for (response, share) in responses.iter().zip(shares) {
+        let mut response = response.clone();
         response.replace(&mut |x| x * share);
         sum.add(&response);
     }
@@ -85,13 +83,13 @@ where
     type OnBody = L::OnBody;
     type InJoint = EffortOf<S>;
     type Seen = L::Seen;
+    type Responses<V: Clone> = Option<[V; K]>;
     const ON: bool = true;
     const SURVEYS: bool = L::SURVEYS;
     const YIELDS: Yields = L::YIELDS;
-    const COUPLED: bool = true;
 
     fn nothing() -> (L::OnBody, EffortOf<S>) {
-        const { assert!(!L::COUPLED, "couplings stand in one list") }
+        const { assert!(!couples::<S, L>(), "couplings stand in one list") }
         const { assert!(!L::BY_COORDINATE, "beside couplings joints are numbered from the root's on: take `Loads::efforts`") }
         (L::nothing().0, Additive::null())
     }
@@ -128,6 +126,7 @@ where
     fn accelerated<V: Rate<S::Scalar>>(
         &self,
         read: bool,
+        kept: Option<&mut Option<[V; K]>>,
         acceleration: &mut V,
         mut sweep: impl FnMut(&Self, bool, &mut V),
     ) {
@@ -136,6 +135,9 @@ where
         }
         let Answers { free, missed, sizes, responses, pairs } = self.answers(acceleration, &mut sweep);
         let shares = self.balanced_by(&pairs, missed);
+        if let Some(kept) = kept {
+            *kept = Some(responses.clone());
+        }
         if read {
             // What is told of modes is not linear in forces, and closure forces are those of the last sweep.
             let forces = core::array::from_fn(|k| shares[k].scale(sizes[k]));
@@ -143,7 +145,7 @@ where
             return self.still(acceleration, missed);
         }
         acceleration.set(&free);
-        along(acceleration, responses, shares);
+        along(acceleration, &responses, shares);
     }
     fn yielded<V: Rate<S::Scalar>>(
         &self,
@@ -158,28 +160,19 @@ where
         };
         self.others.yielded(led, springs, see, acceleration, beside);
     }
-    fn rejoined<P: Position<S::Scalar>>(
+    fn rejoin<P: Position<S::Scalar>>(
         &self,
-        position: &mut P,
-        rate: &mut P::Rate,
-        mut sweep: impl FnMut(&Self, &P, &P::Rate, &mut P::Rate),
-    ) -> bool {
-        let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS);
-        let there = missed_beyond::<S, P>(self, position, rate, rounding).is_none();
-        // Derivatives follow real parts.
-        if there && size_of::<S::Scalar>() == size_of::<RealOf<S>>() {
-            return true;
-        }
-        let (apart, parting) = (self.apart(position), self.missed(rate));
-        let mut found = rate.clone();
-        let Answers { responses, pairs, .. } =
-            self.answers(&mut found, &mut |loads, _, found| sweep(loads, &*position, &*rate, found));
-        let mut step = rate.clone();
-        step.replace(&mut |_| S::Scalar::zero());
-        along(&mut step, responses.clone(), self.balanced_by(&pairs, apart));
-        position.displace(&step);
-        let shares = self.balanced_by(&pairs, parting);
-        along(rate, responses, shares);
-        there
+        responses: &Option<[P::Rate; K]>,
+        level: Level,
+        (position, rate): (&P, &P::Rate),
+        correction: &mut P::Rate,
+    ) {
+        let Some(responses) = responses else { return };
+        let (missed, moved) = match level {
+            Level::Place => (self.apart(position), self.missed(correction)),
+            Level::Velocity => (self.missed(rate), self.missed(correction)),
+        };
+        let missed = core::array::from_fn(|k| missed[k] + moved[k]);
+        along(correction, responses, self.solved(responses, missed));
     }
 }

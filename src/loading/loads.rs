@@ -243,6 +243,7 @@ impl<S: Space, B: LoadLaw<S::BodyMotion, Value: Load<S>>, J: LoadLaw<S::JointMot
     type OnBody = B::Value;
     type InJoint = J::Value;
     type Seen = ();
+    type Responses<V: Clone> = ();
     const ON: bool = B::ON || J::ON;
     const READS: bool = B::READS || J::READS;
 

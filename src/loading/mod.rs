@@ -36,6 +36,10 @@ pub trait Loading<S: Space> {
     /// What has to be seen of the whole scene before a load is known: nothing, unless a load on one body depends on another.
     type Seen: Clone;
 
+    /// What forces that hang on the accelerations that they cause move, those of [`Couplings`](crate::planar::Couplings): nothing, where there are
+    /// none ([`couples`]).
+    type Responses<V: Clone>: Clone + Default;
+
     /// Whether there is anything to evaluate.
     const ON: bool;
     /// Whether there is anything to see first.
@@ -49,9 +53,6 @@ pub trait Loading<S: Space> {
 
     /// Whether torques are listed, and [`in_joint`](Self::in_joint) numbers joints, for those of one coordinate alone.
     const BY_COORDINATE: bool = false;
-
-    /// Whether there are forces that hang on the accelerations that they cause: those of [`Couplings`](crate::planar::Couplings).
-    const COUPLED: bool = false;
 
     /// No load, to fill stores with.
     fn nothing() -> (Self::OnBody, Self::InJoint);
@@ -74,15 +75,16 @@ pub trait Loading<S: Space> {
 
     /// Finds accelerations by a sweep under loads; by several, where forces hang on these. The last one is under the forces found where more is
     /// read of it than accelerations (`read`): what is told of joints with modes, closure forces, what joints remember. A sweep is told whether it is not the first, so that
-    /// bodies are posed.
+    /// bodies are posed. What these forces move is kept where it is asked for.
     #[inline(always)]
     fn accelerated<V: Rate<S::Scalar>>(
         &self,
         read: bool,
+        responses: Option<&mut Self::Responses<V>>,
         acceleration: &mut V,
         mut sweep: impl FnMut(&Self, bool, &mut V),
     ) {
-        let _ = read;
+        let _ = (read, responses);
         sweep(self, false, acceleration);
     }
 
@@ -101,16 +103,16 @@ pub trait Loading<S: Space> {
         sweep(self, false, acceleration);
     }
 
-    /// Moves joints to where these loads hold them, and makes them as fast, where closures are closed: along what forces between them cause, by
-    /// sweeps. Gives whether they were there.
-    fn rejoined<P: Position<S::Scalar>>(
+    /// Adds to a correction of positions, or of rates, what moves joints to where these loads hold them, or makes them as fast: along what forces
+    /// between them move.
+    fn rejoin<P: Position<S::Scalar>>(
         &self,
-        position: &mut P,
-        rate: &mut P::Rate,
-        sweep: impl FnMut(&Self, &P, &P::Rate, &mut P::Rate),
-    ) -> bool {
-        let _ = (position, rate, sweep);
-        true
+        responses: &Self::Responses<P::Rate>,
+        level: Level,
+        motion: (&P, &P::Rate),
+        correction: &mut P::Rate,
+    ) {
+        let _ = (responses, level, motion, correction);
     }
 
     /// Tells by how much coordinates are not where these loads hold them, or not as fast, and the coordinates or their rates.
@@ -131,6 +133,11 @@ pub trait Loading<S: Space> {
         let _ = (bodies, joints);
         Ok(())
     }
+}
+
+/// Whether there are forces that hang on the accelerations that they cause.
+pub const fn couples<S: Space, L: Loading<S>>() -> bool {
+    size_of::<L::Responses<u8>>() > 0
 }
 
 /// How loads on bodies yield to the accelerations that they cause, as implicit sweeps see it.
@@ -231,6 +238,7 @@ impl<S: Space> Loading<S> for Unloaded {
     type OnBody = Absent;
     type InJoint = Absent;
     type Seen = ();
+    type Responses<V: Clone> = ();
     const ON: bool = false;
     const READS: bool = false;
 

@@ -9,6 +9,7 @@ use super::scene::{Chain, Met, Scene, Slots, refuse_others, trace};
 use crate::element::{Element, Load, Loading};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
+use crate::loading::couples;
 use crate::mechanics::planar::{BodyMotion, Frame, JointMotion, Planar, SpringState, Turn};
 use crate::relation::{Closures, Term};
 use crate::release::{Freedom, Release, Resistance, Way};
@@ -67,7 +68,7 @@ where
     }
 
     fn chain(&self, motion: &Self::Motion, loads: &L, _: Slots) -> Result<Chain<T, Expansion<T>, 7, 2, 1>, Error> {
-        if L::SURVEYS || L::COUPLED {
+        if L::SURVEYS || couples::<Planar<T>, L>() {
             return Err(Error::new(Fault::Unsupported { what: "loads between bodies or joints" }));
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;

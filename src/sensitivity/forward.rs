@@ -4,7 +4,7 @@ use crate::element::{Coordinates, Element, Load, Loading, Posture, RealOf, Space
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::lift::Lift;
-use crate::loading::EffortOf;
+use crate::loading::{EffortOf, couples};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
 use crate::relation::{Additive, Open, Wrench, WrenchOf};
@@ -254,8 +254,8 @@ where
                 (true, true) => self.walk::<Columns<true, true>>(&ground, at, workspace, acceleration),
             }
         };
-        if const { L::COUPLED } {
-            loads.accelerated(PositionOf::<S, R, C>::MODES, acceleration, swept);
+        if const { couples::<S, L>() } {
+            loads.accelerated(PositionOf::<S, R, C>::MODES, None, acceleration, swept);
         } else {
             swept(loads, false, acceleration);
         }

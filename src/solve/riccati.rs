@@ -8,6 +8,7 @@ use crate::element::{
     Springs, Sweep, Watch,
 };
 use crate::ends::{Root, Tip};
+use crate::loading::couples;
 use crate::relation::{Acceleration, Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
@@ -26,6 +27,9 @@ use crate::walks::spread;
 use crate::walks::travel::{show, travel};
 use num_traits::Zero;
 
+/// What couplings move.
+type ResponsesOf<S, E, W> = <<W as Sweep<S>>::Loads as Loading<S>>::Responses<<E as Element<S>>::Rate>;
+
 /// Room for the sweeps of one scene: reused, never reallocated.
 #[derive(Clone)]
 pub struct Workspace<S: Space, E: Element<S>, W: Sweep<S>> {
@@ -40,6 +44,8 @@ pub struct Workspace<S: Space, E: Element<S>, W: Sweep<S>> {
     /// Closure forces λ of the last sweep, and Λ.
     pub(crate) multipliers: <W::Closures as Closures>::Each<S::Scalar>,
     compliance: <W::Closures as Closures>::Pairs<S::Scalar>,
+    /// What forces of couplings moved in the last sweeps, where there are closures to correct for.
+    pub(crate) responses: ResponsesOf<S, E, W>,
     /// A correction of the coordinates, where there are closures to correct for.
     correction: Option<E::Rate>,
 }
@@ -60,6 +66,7 @@ impl<S: Space, E: Element<S>, W: Sweep<S>> Workspace<S, E, W> {
             kept: gains(chain),
             multipliers: W::Closures::each(|_| S::Scalar::zero()),
             compliance: W::Closures::no_pairs(),
+            responses: Default::default(),
             correction: (W::Closures::COUNT + E::LOOPS > 0).then(|| chain.store::<Rates>(())),
         }
     }
@@ -124,17 +131,18 @@ pub fn sweep<S: Space, E, W, R, P>(
     // What a load reads of the motion is posed before.
     let late = const { E::POSED_LATE && !W::Loads::ON && !<W::Springs as Springs<S::Scalar>>::STIFF };
     // A free tip does not ask how it is turned.
-    let turn = if const { (W::Loads::COUPLED || W::Loads::YIELDS.together()) && W::Closures::COUNT == 0 } && *again {
-        ground.turn
-    } else {
-        sines(chain, position, x);
-        faced(chain, *ground, position, rate, x);
-        if late {
-            chain.turned(position, rate, ground.turn)
+    let turn =
+        if const { (couples::<S, W::Loads>() || W::Loads::YIELDS.together()) && W::Closures::COUNT == 0 } && *again {
+            ground.turn
         } else {
-            chain.pose(position, rate, ground.turn, sizes, x, y, p, q)
-        }
-    };
+            sines(chain, position, x);
+            faced(chain, *ground, position, rate, x);
+            if late {
+                chain.turned(position, rate, ground.turn)
+            } else {
+                chain.pose(position, rate, ground.turn, sizes, x, y, p, q)
+            }
+        };
     if const { W::Loads::ON && spread::is_listed::<S, E, W::Loads>() } {
         spread::loads(chain, *loads, (|x| x, |x| x), on_bodies, in_joints);
     } else if W::Loads::ON {
@@ -179,7 +187,7 @@ pub fn correction<'w, S: Space, E: Element<S>, W: Sweep<S, Closures: Solvable>>(
     level: Level,
     residual: &<W::Closures as Closures>::Each<S::Scalar>,
     workspace: &'w mut Workspace<S, E, W>,
-) -> Option<&'w E::Rate> {
+) -> Option<&'w mut E::Rate> {
     let Workspace { x, y, p, q, kept, compliance, correction, .. } = workspace;
     let correction = correction.as_mut()?;
     let force = W::Closures::solve(compliance, &W::Closures::map(residual, |residual| -residual));

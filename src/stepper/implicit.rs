@@ -157,7 +157,7 @@ impl<D: StiffDynamics<L>, L> ImplicitStepper<D, L> {
         let found = &next.acceleration;
         next.position.drift_1(&self.free.0, (none, &self.zero), (springs.position, found));
         next.rate.mix_1(&self.free.1, (springs.rate, found));
-        self.scene.project_stiff(next, springs, loads, &mut self.stiff);
+        self.scene.project_stiff(next, loads, &mut self.stiff);
     }
 
     /// Finds where a step went wrong: at its start, or where its first geometry is taken.

@@ -94,7 +94,7 @@ impl<D: StiffDynamics<L>, L> MoreauJeanStepper<D, L> {
         if const { D::Position::MODES } {
             next.position.each_mode(&mut next.rate, found, &mut |mode, rate, told| ended(mode, rate, &told, dt));
         }
-        scene.project_stiff(next, springs, loads, stiff);
+        scene.project_stiff(next, loads, stiff);
         Ok(())
     }
 

@@ -109,7 +109,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
             if D::CLOSED && sweep > 0 {
                 next.position.drift_0(&self.at.0, (Zero::zero(), &self.zero));
                 next.rate.set(&self.at.1);
-                self.scene.project_stiff(next, springs, loads, &mut self.stiff);
+                self.scene.project_stiff(next, loads, &mut self.stiff);
                 self.at.0.drift_0(&next.position, (Zero::zero(), &self.zero));
                 self.at.1.set(&next.rate);
             }
@@ -165,8 +165,7 @@ impl<D: StiffDynamics<L>, L> SdirkStepper<D, L> {
         if !D::Position::CURVED {
             next.acceleration.set(&self.slopes[STAGES - 1]);
         }
-        let own = TimeIn::<D, L>::of(GAMMA) * dt;
-        self.scene.project_stiff(next, Implicit { position: own * own, rate: own }, loads, &mut self.stiff);
+        self.scene.project_stiff(next, loads, &mut self.stiff);
     }
 
     /// Finds where a step went wrong: at its start, or stage by stage.

@@ -110,6 +110,7 @@ where
     type OnBody = WrenchOf<S>;
     type InJoint = L::InJoint;
     type Seen = <Struts<S::Scalar, D, N, L, W> as Loading<S>>::Seen;
+    type Responses<V: Clone> = ();
     const ON: bool = true;
     const SURVEYS: bool = true;
     const YIELDS: Yields = Yields::Together;

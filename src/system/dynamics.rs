@@ -146,7 +146,6 @@ pub trait StiffDynamics<L>: Dynamics<L> {
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
-        springs: Implicit<<Self::Scalar as Scalar>::Real>,
         loads: &L,
         workspace: &mut Self::StiffWorkspace,
     );

@@ -136,9 +136,6 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             if step <= real(SHARE) {
                 *motion = corrected;
             } else if const { Self::LOOPED } {
-                if const { L::COUPLED } {
-                    self.accelerate(motion, loads, workspace)?; // the gains of where it is
-                }
                 self.assembly_step(motion, workspace);
             } else {
                 self.approach(motion);

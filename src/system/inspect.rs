@@ -3,6 +3,7 @@
 use crate::element::{Coordinates, Element, Loading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::loading::couples;
 use crate::solve::product::product;
 use crate::state::{StateVector, TransferMatrix};
 use crate::system::{MotionOf, System};
@@ -55,7 +56,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     {
         self.fits(motion)?;
         self.loadable(loads)?;
-        if const { L::COUPLED } {
+        if const { couples::<S, L>() } {
             return Err(Error::new(Fault::Unsupported { what: "couplings of joints, by matrices" }));
         }
         let (position, rate, acceleration) = (motion.position(), motion.rate(), motion.acceleration());

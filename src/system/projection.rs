@@ -1,65 +1,22 @@
 //! How a motion is put back where its tip is held, its loops are closed and its joints are coupled.
 
 use super::corrections::{Corrections, MOST_CORRECTIONS};
-use crate::element::{Close, Condense, Element, Level, Loading, Reading, RealOf, Space, Springs, Sweep, look};
+use crate::element::{Element, Level, Loading, RealOf, Space, Sweep, look};
 use crate::ends::{Root, Tip};
+use crate::loading::couples;
 use crate::mirror::{Position, Rate};
 use crate::relation::Closures;
 use crate::scalar::{Real, Scalar};
-use crate::shape::Kept;
-use crate::solve::riccati::{Spring, Workspace, correction, sweep};
-use crate::system::{Elements, MotionOf, System, coordinates};
-use crate::walks::copy::copy;
-
-/// Turns of closing loops and of joining what is coupled.
-const MOST_TURNS: usize = 6;
+use crate::solve::riccati::{Workspace, correction};
+use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Puts a motion back where it is closed, and, where loads couple joints, where these hold them, in turns: what the one moves the other one
-    /// misses in second order.
-    #[allow(clippy::type_complexity)] // the types are those of the scene
+    /// Puts a motion back where it is closed, and, where loads couple joints, where these hold them: in one correction after the other, through
+    /// gains and responses of the last sweeps.
     pub(super) fn project_by<W: Sweep<S, Closures = P::Closures>>(
         &self,
         motion: &mut MotionOf<S, R, C, P>,
-        springs: W::Springs,
         loads: &W::Loads,
-        workspace: &mut Workspace<S, Elements<S, R, C>, W>,
-    ) where
-        Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
-    {
-        self.close_by(motion, workspace);
-        if const { !W::Loads::COUPLED || Self::CLOSED == 0 } {
-            return;
-        }
-        let (time, mut zero) = (motion.time, motion.rate.clone());
-        zero.replace(&mut |_| S::Scalar::constant(RealOf::<S>::of(0.0)));
-        // What joints remember of the sweep before, which is none of those that ask what forces cause.
-        let remembered = const { <W::Springs as Springs<S::Scalar>>::STIFF }.then(|| workspace.kept.clone());
-        for _ in 0..MOST_TURNS {
-            let mut finite = true;
-            motion.position.visit(&mut |x| finite &= x.is_finite());
-            if !finite {
-                break; // closing led nowhere
-            }
-            let there = loads.rejoined(&mut motion.position, &mut motion.rate, |loads, position, rate, found| {
-                let reading = Reading { position, rate, acceleration: &zero };
-                let spring = Spring { position, rate, reading, springs };
-                sweep(&self.chain, &self.site(time, loads), position, rate, &spring, workspace, found);
-            });
-            if there {
-                break;
-            }
-            self.close_by(motion, workspace);
-        }
-        if let Some(remembered) = &remembered {
-            copy::<S, _, Kept<W::Closures>>(&self.chain, remembered, &mut workspace.kept);
-        }
-    }
-
-    /// Puts a motion back where it is closed.
-    fn close_by<W: Sweep<S, Closures = P::Closures>>(
-        &self,
-        motion: &mut MotionOf<S, R, C, P>,
         workspace: &mut Workspace<S, Elements<S, R, C>, W>,
     ) {
         // A constant, so that a compiler does not even look at what follows where nothing is closed.
@@ -67,41 +24,56 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return;
         }
         // The gains belong to a configuration nearby, so one correction leaves an error of second order: twice. And where loops are
-        // nested, an outer one closes by what inner ones miss no more. Near where a loop is straight it takes more of them.
-        let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
+        // nested, an outer one closes by what inner ones miss no more. Near where a loop is straight it takes more of them, and couplings are
+        // kept to rounding.
+        let settles = const { Self::LOOPED || couples::<S, W::Loads>() };
+        let most = if settles { MOST_CORRECTIONS } else { Self::CLOSED };
+        let responses = core::mem::take(&mut workspace.responses);
         let mut corrections = Corrections::<S::Scalar>::begin();
-        if Self::LOOPED {
+        if settles {
             motion.position.visit(&mut |x| corrections.see(x));
         }
         for count in 0..=most {
-            let [place, _] = self.residual(motion);
-            let ground = self.root.ground(motion.time);
-            if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
+            if let Some(step) = self.correct(Level::Place, motion, (loads, &responses), workspace) {
                 motion.position.displace(step);
-                if Self::LOOPED && (corrections.end(step, count >= Self::CLOSED) || corrections.overshoot()) {
+                if settles && (corrections.end(step, count >= Self::CLOSED) || corrections.overshoot()) {
                     break;
                 }
             }
         }
-        if Self::LOOPED && corrections.lead_nowhere() {
+        if settles && corrections.lead_nowhere() {
             motion.position.replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
         }
         // Velocities are linear, but the gains are not of this very place: near where closures depend on each other it takes more than two.
         let mut corrections = Corrections::<S::Scalar>::begin();
-        if Self::LOOPED {
+        if settles {
             motion.rate.visit(&mut |x| corrections.see(x));
         }
         for count in 1..=most {
-            let [_, velocity] = self.residual(motion);
-            let ground = self.root.ground(motion.time);
-            let level = Level::Velocity;
-            if let Some(step) = correction(&self.chain, ground, coordinates(motion), level, &velocity, workspace) {
+            if let Some(step) = self.correct(Level::Velocity, motion, (loads, &responses), workspace) {
                 motion.rate.add(step);
-                if Self::LOOPED && corrections.end(step, count >= Self::CLOSED) {
+                if settles && corrections.end(step, count >= Self::CLOSED) {
                     break;
                 }
             }
         }
+        workspace.responses = responses;
+    }
+
+    /// The correction of positions or of rates, to first order.
+    #[allow(clippy::type_complexity)] // the types are those of the scene
+    fn correct<'w, W: Sweep<S, Closures = P::Closures>>(
+        &self,
+        level: Level,
+        motion: &MotionOf<S, R, C, P>,
+        (loads, responses): (&W::Loads, &<W::Loads as Loading<S>>::Responses<RateOf<S, R, C>>),
+        workspace: &'w mut Workspace<S, Elements<S, R, C>, W>,
+    ) -> Option<&'w RateOf<S, R, C>> {
+        let ([place, velocity], ground) = (self.residual(motion), self.root.ground(motion.time));
+        let residual = if let Level::Place = level { place } else { velocity };
+        let step = correction(&self.chain, ground, coordinates(motion), level, &residual, workspace)?;
+        loads.rejoin(responses, level, (&motion.position, &motion.rate), step);
+        Some(step)
     }
 
     /// Residual of the tip, in place and in velocity.

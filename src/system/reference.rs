@@ -136,10 +136,9 @@ impl<D: StiffDynamics<L>, L> StiffDynamics<L> for &D {
     fn project_stiff(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
-        springs: Implicit<<Self::Scalar as Scalar>::Real>,
         loads: &L,
         workspace: &mut Self::StiffWorkspace,
     ) {
-        D::project_stiff(self, motion, springs, loads, workspace)
+        D::project_stiff(self, motion, loads, workspace)
     }
 }

@@ -70,7 +70,7 @@ where
     }
 
     fn project(&self, motion: &mut MotionOf<S, R, C, P>, loads: &L, workspace: &mut Self::Workspace) {
-        self.project_by(motion, Explicit, loads, workspace);
+        self.project_by(motion, loads, workspace);
     }
 
     fn assembly_step(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::Workspace) {
@@ -234,14 +234,8 @@ where
         workspace.multipliers
     }
 
-    fn project_stiff(
-        &self,
-        motion: &mut MotionOf<S, R, C, P>,
-        springs: Implicit<RealOf<S>>,
-        loads: &L,
-        workspace: &mut Self::StiffWorkspace,
-    ) {
-        self.project_by(motion, springs, loads, workspace);
+    fn project_stiff(&self, motion: &mut MotionOf<S, R, C, P>, loads: &L, workspace: &mut Self::StiffWorkspace) {
+        self.project_by(motion, loads, workspace);
     }
 }
 

@@ -3,6 +3,7 @@
 use super::{Elements, PositionOf, RateOf, System};
 use crate::element::{Close, Condense, Coordinates, Element, Loading, Reading, RealOf, Space, Springs, Sweep};
 use crate::ends::{Root, Tip};
+use crate::loading::couples;
 use crate::mirror::Position;
 use crate::shape::Kept;
 use crate::solve::riccati::{Site, Spring, Workspace, sweep};
@@ -26,7 +27,10 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     {
         let (stiff, yields) = const { (<W::Springs as Springs<S::Scalar>>::STIFF, W::Loads::YIELDS.together()) };
         // What joints remember of the sweep before, which is none of those that ask what forces cause.
-        let remembered = (stiff && (yields || W::Loads::COUPLED)).then(|| workspace.kept.clone());
+        let remembered = (stiff && (yields || couples::<S, W::Loads>())).then(|| workspace.kept.clone());
+        // What couplings move is asked for where motions are put back.
+        let mut responses = core::mem::take(&mut workspace.responses);
+        let kept = (Self::CLOSED > 0).then_some(&mut responses);
         let mut swept = |loads: &W::Loads, again: bool, acceleration: &mut RateOf<S, R, C>| {
             if again && let Some(remembered) = &remembered {
                 copy::<S, _, Kept<W::Closures>>(&self.chain, remembered, &mut workspace.kept);
@@ -48,15 +52,16 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 let swept = |loads: &W::Loads, more: bool, a: &mut RateOf<S, R, C>| swept(loads, again || more, a);
                 loads.yielded((before, led), springs, see, acceleration, swept);
             };
-            if const { W::Loads::COUPLED } {
-                loads.accelerated(read, acceleration, yielded);
+            if const { couples::<S, W::Loads>() } {
+                loads.accelerated(read, kept, acceleration, yielded);
             } else {
                 yielded(loads, false, acceleration);
             }
-        } else if const { W::Loads::COUPLED } {
-            loads.accelerated(read, acceleration, swept);
+        } else if const { couples::<S, W::Loads>() } {
+            loads.accelerated(read, kept, acceleration, swept);
         } else {
             swept(loads, false, acceleration);
         }
+        workspace.responses = responses;
     }
 }

@@ -8,6 +8,7 @@ use super::orient::{Base, Slot, Solid, angle_accelerations};
 use crate::element::{Element, Load, Loading};
 use crate::ends::{Pairs, Root, Tip};
 use crate::error::{Error, Fault, Place};
+use crate::loading::couples;
 use crate::mechanics::spatial::{BodyMotion, Drive, Frame, JointMotion, Spatial, Turn};
 use crate::paper::link::{End, dot};
 use crate::paper::orient::{Axes, Expanded, Joints, Spring};
@@ -83,7 +84,7 @@ where
         if loose == 2 {
             return unsupported("a root that turns about two axes").map_err(|error| error.at(Place::Root));
         }
-        if L::SURVEYS || L::COUPLED {
+        if L::SURVEYS || couples::<Spatial<T>, L>() {
             return unsupported("loads between bodies or joints");
         }
         let motion = self.with_accelerations(motion.clone(), loads)?;

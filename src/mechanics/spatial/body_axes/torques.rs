@@ -37,6 +37,7 @@ impl<T: Scalar, V: AsRef<[T]>> Loading<Spatial<T>> for Torques<V> {
     type OnBody = Absent;
     type InJoint = T;
     type Seen = ();
+    type Responses<X: Clone> = ();
     const ON: bool = true;
     const READS: bool = false;
     const BY_COORDINATE: bool = true;
