@@ -103,7 +103,7 @@ impl<T: Scalar> Tie<T> {
 /// [`Run`](crate::simulate::Run)), and one more by implicit rules, in closed scenes, and where joints stick or
 /// strike stops. (In scenes with vectors they allocate.) All rules know them, implicit ones too, events, dense output and readings: internal forces contain λ. Accelerations are
 /// coupled to rounding, and so are motions that begin so, for rules add multiples of accelerations up: what they miss is checked where a
-/// run begins, and not put back. Where loops close or a tip is held, couplings and closures are put back in turns, by `K` + 1 sweeps a turn, and
+/// run begins, and not put back. Where loops close or a tip is held, couplings and closures are put back together, by no sweep, and
 /// accelerations take one sweep more; [`assembled`](crate::system::System::assembled) under couplings finds a start.
 ///
 /// Joints have one coordinate that is relative to the inboard body: `Revolute`, `Slider` and `ElasticHinge` in the plane, `Revolute` and
@@ -111,7 +111,7 @@ impl<T: Scalar> Tie<T> {
 /// own. The angle of a `Pin` is that of its body, so that it is refused.
 ///
 /// [`Fault::Shape`](crate::Fault::Shape) in a scene with vectors of other lengths; [`Fault::Unsupported`](crate::Fault::Unsupported) in transfer matrices and the scheme of
-/// [`paper`](crate::paper). Equilibria and modes know them. Runs go backward [under](crate::sensitivity::Backward::under) couplings where nothing is held or closed, by their
+/// [`paper`](crate::paper). Equilibria and modes know them. Runs go backward [under](crate::sensitivity::Backward::under) couplings, by their
 /// [ratios](crate::sensitivity::Gradient::by_ratios), too. Taylor series do not compile with them.
 ///
 /// ```
@@ -158,9 +158,9 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
 }
 
 impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
-    /// Ratios of the couplings.
-    pub(crate) fn ratios(&self) -> impl Iterator<Item = T> {
-        self.ties.iter().map(|tie| tie.ratio)
+    /// Ratios and offsets of the couplings.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = [T; 2]> {
+        self.ties.iter().map(|tie| [tie.ratio, tie.offset])
     }
 
     /// A motion with followers where their leaders have them, and as fast.

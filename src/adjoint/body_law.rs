@@ -51,8 +51,8 @@ pub trait BodyLaw<S: Reversed>: Copy {
     fn unstirred() -> Self::Stirred;
     /// The ties between joints.
     fn ties(&self) -> Self::Ties;
-    /// Derivatives by the ratios of ties.
-    fn of_ratios(of_numbers: &mut Self::OfNumbers) -> &mut [S::Scalar];
+    /// Derivatives by the ratios of ties and by their offsets.
+    fn of_ties(of_numbers: &mut Self::OfNumbers) -> [&mut [S::Scalar]; 2];
     /// Derivatives by numbers of a law of one body's motion, and how many it has.
     fn listed(of_numbers: &Self::OfNumbers) -> &OfLaw<S::Scalar>;
     /// Meets the derivatives by all numbers of these loads in the order in which [`Lift`](crate::Lift) meets the numbers.
@@ -85,8 +85,8 @@ impl<S: Reversed, L: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> BodyLaw<S> f
     }
     fn unstirred() {}
     fn ties(&self) {}
-    fn of_ratios(_: &mut OfLaw<S::Scalar>) -> &mut [S::Scalar] {
-        &mut []
+    fn of_ties(_: &mut OfLaw<S::Scalar>) -> [&mut [S::Scalar]; 2] {
+        [&mut [], &mut []]
     }
     fn listed(of_numbers: &OfLaw<S::Scalar>) -> &OfLaw<S::Scalar> {
         of_numbers

@@ -189,8 +189,8 @@ macro_rules! struts {
                 [[SVector::repeat(T::zero()); 2]; N]
             }
             fn ties(&self) {}
-            fn of_ratios(_: &mut Self::OfNumbers) -> &mut [T] {
-                &mut []
+            fn of_ties(_: &mut Self::OfNumbers) -> [&mut [T]; 2] {
+                [&mut [], &mut []]
             }
             fn listed((_, of_law): &Self::OfNumbers) -> &OfLaw<T> {
                 of_law

@@ -11,6 +11,7 @@ use crate::relation::Geometry;
 use crate::scalar::Scalar;
 use crate::space::FrameOf;
 use crate::transfer::FromEfforts;
+use crate::visit::Level;
 use crate::walks::pull_loads::PullLoads;
 use num_traits::Zero;
 
@@ -32,6 +33,44 @@ impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
     }
     fn balanced<V: Rate<S::Scalar>>(&self, responses: &[V; K], free: &V) -> [S::Scalar; K] {
         self.solved(responses, self.missed(free))
+    }
+    fn minus_weights<V: Rate<S::Scalar>>(&self, responses: &[V; K], costates: &V) -> [S::Scalar; K] {
+        let along = responses.each_ref().map(|response| {
+            let mut sum = S::Scalar::zero();
+            response.all(costates, &mut |x, costate| {
+                sum += x * costate;
+                true
+            });
+            sum
+        });
+        self.solved(responses, along)
+    }
+    fn rejoin<P: Position<S::Scalar>>(
+        &self,
+        responses: &[P::Rate; K],
+        level: Level,
+        motion: (&P, &P::Rate),
+        correction: &mut P::Rate,
+    ) -> [S::Scalar; K] {
+        self.put_back(responses, level, motion, correction)
+    }
+    fn weigh_missed<P: Position<S::Scalar>>(
+        &self,
+        level: Level,
+        (position, rate, correction): (&P, &P::Rate, &P::Rate),
+        minus_weights: &[S::Scalar; K],
+        costates: &mut P::Rate,
+        [of_ratios, of_offsets]: [&mut [S::Scalar]; 2],
+    ) {
+        Ties::<S>::add_rows(self, minus_weights, costates);
+        let pairs = if let Level::Place = level { self.places(position) } else { self.rates(rate) };
+        let corrections = self.rates(correction);
+        for (k, weight) in minus_weights.iter().enumerate() {
+            of_ratios[k] -= *weight * (pairs[k][1] + corrections[k][1]);
+            if let Level::Place = level {
+                of_offsets[k] -= *weight;
+            }
+        }
     }
     fn exert(&self, joint: usize, forces: &[S::Scalar; K], effort: &mut EffortOf<S>) {
         let none = S::Scalar::zero();
@@ -64,7 +103,7 @@ macro_rules! backward {
             type Beside<J: LoadLaw<$JointMotion> + Clone> = <L::Law as BodyLaw<$Space<T>>>::Beside<J>;
             type Whole<J: LoadLaw<$JointMotion, Value = EffortOf<$Space<T>>> + Clone> =
                 Couplings<T, K, Self::Beside<J>>;
-            type OfNumbers = ([T; K], <L::Law as BodyLaw<$Space<T>>>::OfNumbers);
+            type OfNumbers = ([[T; K]; 2], <L::Law as BodyLaw<$Space<T>>>::OfNumbers);
             type Stirred = <L::Law as BodyLaw<$Space<T>>>::Stirred;
             type Ties = Couplings<T, K>;
 
@@ -78,7 +117,7 @@ macro_rules! backward {
                 self.ties().and(self.beside(efforts))
             }
             fn of_nothing(&self) -> Self::OfNumbers {
-                ([T::zero(); K], self.others.law().of_nothing())
+                ([[T::zero(); K]; 2], self.others.law().of_nothing())
             }
             fn known(&self, (_, of_law): &Self::OfNumbers) -> Result<(), Fault> {
                 self.others.law().known(of_law)
@@ -90,17 +129,14 @@ macro_rules! backward {
                 let Self { ties, forces, given, counts, .. } = *self;
                 Couplings { ties, forces, given, counts, others: Unloaded }
             }
-            fn of_ratios((of_ratios, _): &mut Self::OfNumbers) -> &mut [T] {
-                of_ratios
+            fn of_ties(([of_ratios, of_offsets], _): &mut Self::OfNumbers) -> [&mut [T]; 2] {
+                [of_ratios, of_offsets]
             }
             fn listed((_, of_law): &Self::OfNumbers) -> &OfLaw<T> {
                 L::Law::listed(of_law)
             }
-            fn each_number((of_ratios, of_law): &mut Self::OfNumbers, meet: &mut impl FnMut(&mut T)) {
-                for of_ratio in of_ratios {
-                    meet(of_ratio);
-                    meet(&mut T::zero()); // by an offset, which stands in the start alone
-                }
+            fn each_number(([of_ratios, of_offsets], of_law): &mut Self::OfNumbers, meet: &mut impl FnMut(&mut T)) {
+                of_ratios.iter_mut().zip(of_offsets).flat_map(|(ratio, offset)| [ratio, offset]).for_each(&mut *meet);
                 L::Law::each_number(of_law, meet);
             }
         }

@@ -56,6 +56,21 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
         self.balanced_by(&responses.each_ref().map(|response| self.rates(response)), missed)
     }
 
+    /// Adds to a correction of positions, or of rates, what moves followers to where their leaders have them; gives the shares of responses.
+    pub(super) fn put_back<P: Position<T>>(
+        &self,
+        responses: &[P::Rate; K],
+        level: Level,
+        (position, rate): (&P, &P::Rate),
+        correction: &mut P::Rate,
+    ) -> [T; K] {
+        let missed = if let Level::Place = level { self.apart(position) } else { self.missed(rate) };
+        let moved = self.missed(correction);
+        let shares = self.solved(responses, core::array::from_fn(|k| missed[k] + moved[k]));
+        along(correction, responses, shares);
+        shares
+    }
+
     /// What forces λ exert in a joint.
     pub(super) fn exerted(&self, joint: usize, forces: &[T; K]) -> T {
         let mut effort = T::zero();
@@ -164,15 +179,11 @@ where
         &self,
         responses: &Option<[P::Rate; K]>,
         level: Level,
-        (position, rate): (&P, &P::Rate),
+        motion: (&P, &P::Rate),
         correction: &mut P::Rate,
     ) {
-        let Some(responses) = responses else { return };
-        let (missed, moved) = match level {
-            Level::Place => (self.apart(position), self.missed(correction)),
-            Level::Velocity => (self.missed(rate), self.missed(correction)),
-        };
-        let missed = core::array::from_fn(|k| missed[k] + moved[k]);
-        along(correction, responses, self.solved(responses, missed));
+        if let Some(responses) = responses {
+            self.put_back(responses, level, motion, correction);
+        }
     }
 }

@@ -155,7 +155,7 @@ where
     C: Element<S>,
     P: Tip<S>,
     X: Clone,
-    Couplings<S::Scalar, K, L>: BodyLaw<S, OfNumbers = ([S::Scalar; K], X)>,
+    Couplings<S::Scalar, K, L>: BodyLaw<S, OfNumbers = ([[S::Scalar; K]; 2], X)>,
 {
     /// By the ratio of each coupling, for one start: [`Gradient::by_ratios`](crate::sensitivity::Gradient::by_ratios).
     pub fn by_ratios(&self) -> &[S::Scalar; K] {

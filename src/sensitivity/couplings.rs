@@ -17,12 +17,17 @@ where
     S: Reversed,
     E: Element<S>,
     X: Clone,
-    Couplings<S::Scalar, K, L>: BodyLaw<S, OfNumbers = ([S::Scalar; K], X)>,
+    Couplings<S::Scalar, K, L>: BodyLaw<S, OfNumbers = ([[S::Scalar; K]; 2], X)>,
 {
-    /// By the ratio of each coupling, for one start. By offsets, and by ratios as far as they make the start, it is
-    /// [`along_start`](Self::along_start).
+    /// By the ratio of each coupling, for one start. By ratios as far as they make the start it is [`along_start`](Self::along_start).
     pub fn by_ratios(&self) -> &[S::Scalar; K] {
-        &self.law.0
+        &self.law.0[0]
+    }
+
+    /// By the offset of each coupling, for one start: zero but where something is held or closed, for there steps put followers back. As far as
+    /// offsets make the start it is [`along_start`](Self::along_start).
+    pub fn by_offsets(&self) -> &[S::Scalar; K] {
+        &self.law.0[1]
     }
 
     /// The gradient along the seeds of the same couplings over jets.
@@ -58,8 +63,11 @@ where
     /// ```
     pub fn along_couplings<Q, const J: usize>(&self, couplings: &Couplings<Jet<S::Scalar, J>, K, Q>) -> [S::Scalar; J] {
         let mut sum = [S::Scalar::zero(); J];
-        for (ratio, by) in couplings.ratios().zip(self.by_ratios()) {
-            sum.iter_mut().zip(ratio.eps).for_each(|(sum, part)| *sum += *by * part);
+        let [by_ratios, by_offsets] = &self.law.0;
+        for (numbers, by) in couplings.numbers().zip(by_ratios.iter().zip(by_offsets)) {
+            for (number, by) in numbers.into_iter().zip([by.0, by.1]) {
+                sum.iter_mut().zip(number.eps).for_each(|(sum, part)| *sum += *by * part);
+            }
         }
         sum
     }
@@ -72,7 +80,7 @@ where
     S: ReversiblePoints<D>,
     E: Element<S>,
     Couplings<S::Scalar, K, Struts<S::Scalar, D, N, L, W>>:
-        BodyLaw<S, OfNumbers = ([S::Scalar; K], OfStruts<S::Scalar, D, N>)>,
+        BodyLaw<S, OfNumbers = ([[S::Scalar; K]; 2], OfStruts<S::Scalar, D, N>)>,
 {
     /// By the numbers of each strut, as without couplings.
     pub fn by_struts(&self) -> &[ByStrut<S::Scalar, D>; N] {

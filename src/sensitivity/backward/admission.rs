@@ -136,10 +136,6 @@ where
             let what = "the gradient of a run by one sweep a step where something is closed and laws are not linear";
             return Err(Error::new(Fault::Unsupported { what }));
         }
-        if const { Steps::<S, R, C, P, M, L>::TIED && System::<S, R, C, P>::CLOSED > 0 } {
-            let what = "the gradient of a run whose joints are coupled where something is held or closed";
-            return Err(Error::new(Fault::Unsupported { what }));
-        }
         let (bodies, joints) = (self.steps.scene.elements().bodies(), self.steps.scene.joints());
         self.steps.loads.law.ties().check(bodies, joints).map_err(Error::new)?;
         Loading::<S>::check(&self.steps.loads.law.beside(Absent), bodies, joints).map_err(Error::new)?;

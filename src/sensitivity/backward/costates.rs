@@ -261,14 +261,14 @@ where
         if const { !(R::RESTS && P::RESTS) } {
             gradient.asked = Some(Asked::and(gradient.asked, time));
         }
-        let minus_weights = if const { Self::TIED } { self.untie(start, &frame, (stage, slope)) } else { None };
+        let minus_weights = const { Self::TIED }.then(|| self.untie(stage));
         let (weight, stirred) = self.stir(start, &frame, (stage, slope));
         let elements = self.scene.elements();
         let Stage { x, y, p, q, pivots, at_bodies, at_joints, in_loops, .. } = stage;
         let (position, rate, acceleration) = Self::motion_of(start, (stage, slope));
         let free = &mut self.of_acceleration;
         if let Some(minus_weights) = &minus_weights {
-            let ratios = L::of_ratios(&mut gradient.law);
+            let [ratios, _] = L::of_ties(&mut gradient.law);
             self.loads.law.ties().weigh([&stage.tensions, minus_weights], [acceleration, &*free], ratios);
         }
         let mut pulled = S::Pulled::null();

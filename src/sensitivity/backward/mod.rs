@@ -22,6 +22,7 @@ mod memory;
 mod metric;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod past;
+mod projected;
 mod projection;
 mod record;
 mod rules;
@@ -129,7 +130,7 @@ pub use tape::Tape;
 /// joints, reflected inertias. What a type says to be zero has no derivative.
 ///
 /// Joints in all of these may be [`Driven`](crate::planar::Driven) by a law that can be lifted: its numbers are parameters. Joints may
-/// [follow others](crate::planar::Couplings) where nothing is held or closed.
+/// [follow others](crate::planar::Couplings), where something is held or closed, too.
 ///
 /// Joints with modes, [`Coulomb`](crate::planar::Coulomb) and [`HardStops`](crate::planar::HardStops), change these at times that hang on everything:
 /// such runs are made by [`course`](Self::course), by explicit rules, and their gradients by [`gradient_past`](Self::gradient_past); torques are held
@@ -203,8 +204,7 @@ where
     /// [`Fault::NotPositive`] for the step; [`Fault::Count`], which says how many states or torques are needed; [`Fault::Shape`] for motions of
     /// another scene; [`Fault::NonFiniteMotion`] or [`Fault::AngleOutOfRange`], with the time, [`Fault::NonFiniteLoad`] for torques, with the joint, too;
     /// [`Fault::OutOfRange`] for steps that the clock rounds away; [`Fault::RedundantClosures`] where the start holds its tip, or closes a loop, twice in the same
-    /// way; [`Fault::NotAssembled`] where tips and loops are far from closed, or joints that follow others do not; [`Fault::Unsupported`] where
-    /// joints are coupled and something is held or closed; what is wrong with the parameters of the rule; what
+    /// way; [`Fault::NotAssembled`] where tips and loops are far from closed, or joints that follow others do not; what is wrong with the parameters of the rule; what
     /// [`LoadLaw::check`](crate::loading::LoadLaw::check) of the loads on bodies refuses.
     pub fn run(
         &mut self,

@@ -1,39 +1,19 @@
-//! The projection at the end of a step of a tip that is held and of loops that are closed.
-//!
-//! The end of a step is put back by what the last stage knows of M, Γ and Λ ([`held`](super::held)): corrections x of positions, and then of
-//! rates, M x = Γᵀκ with κ = Λ⁻¹ y, y being what the tip misses. With x̄ their costates,
-//!
-//! ```text
-//! M w + Γᵀν = x̄        Γ w = 0        ȳ = ν        of the stage: −∂/∂q (w · M x + ν · Γ x − κ · Γ w)
-//! ```
-//!
-//! which is the costate sweep at rest, x for accelerations, G = ν, F = −κ at the tip, without springs. A loop closes without moving the
-//! station where it begins, so each has a system of its own, of what moves with it: M and Γ of its arms and of all that lies outboard, where
-//! other loops stay closed. Corrections are as many as a stepper makes, and costates go back through each. Where positions are curved a
-//! correction is a step from the place before it. Under an implicit rule M is that of its last sweep, with springs and dampers: by these, and by
-//! the size of the step, −w · W x has derivatives, too.
+//! The projection at the end of a step, of a tip that is held, of loops that are closed and of joints that are coupled, as a stepper makes it.
 
-use super::GradientOf;
-use super::held::{Posed, Room, add, opposite};
-use super::metric::metric;
-use super::record::{Place, Record, RecordOf, StageOf};
+use super::held::opposite;
+use super::record::{Record, RecordOf, StageOf};
 use super::rules::Staged;
 use super::steps::Steps;
-use crate::adjoint::{BodyLaw, Burdened, EachOf, Reversed, Reversible, ReversibleTip, total};
+use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip, Ties};
 use crate::element::{Coordinates, Element, Level, Posture, RealOf};
 use crate::ends::Root;
 use crate::mirror::{Position, Rate, Retraction};
-use crate::relation::{Acceleration, Additive, Closures, Solvable};
+use crate::relation::{Acceleration, Solvable};
 use crate::scalar::{Real, Scalar};
-use crate::shape::{Positions, Takes};
-use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf};
+use crate::shape::Positions;
+use crate::system::{Corrections, Elements, MOST_CORRECTIONS, MotionOf, PositionOf, RateOf, System};
 use crate::walks::look::look;
-use crate::walks::missed::missed;
 use crate::walks::restore::restore;
-use crate::walks::singled::{self, Left, single};
-use crate::walks::swept::swept;
-use crate::walks::{PullBack, Stir};
-use num_traits::Zero;
 
 /// Most positions, or rates, of a projection: before it, and after each correction.
 const PLACES: usize = MOST_CORRECTIONS + 2;
@@ -43,10 +23,10 @@ const PLACES: usize = MOST_CORRECTIONS + 2;
 pub(super) struct Projection<S: Reversed, E: Element<S>> {
     /// Positions before each correction, and after the last; how many corrections there were.
     pub(super) places: [E::Position; PLACES],
-    moves: usize,
+    pub(super) moves: usize,
     /// Rates before each correction, and after the last; how many corrections there were.
     pub(super) rates: [E::Rate; PLACES],
-    changes: usize,
+    pub(super) changes: usize,
 }
 
 impl<S: Reversed, E: Element<S>> Projection<S, E> {
@@ -107,33 +87,26 @@ where
         projection: &mut Projection<S, Elements<S, R, C>>,
     ) {
         let Some(room) = &mut self.room else { return };
-        let (elements, tip, ground) = (self.scene.elements(), self.scene.tip(), self.scene.ground(time));
         let Projection { places, moves, rates, changes } = projection;
-        let most = if Self::LOOPED { MOST_CORRECTIONS } else { Self::CLOSED };
-        let (none, into) = (&self.zero, &mut room.correction);
-        let correct = |level: Level, position: &_, rate: &_, correction: &mut _| {
-            let at = Coordinates { position, rate, acceleration: none };
-            let [place, velocity] = tip.residual(time, &look(elements, ground, at));
-            let residual = if let Level::Place = level { place } else { velocity };
-            let force = P::Closures::solve(&stage.compliance, &opposite::<S, P::Closures>(&residual));
-            let posture = Posture { x: &stage.x, y: &stage.y, p: &stage.p, q: &stage.q };
-            let (still, kept) = (Acceleration::zero(), &stage.kept);
-            restore::<S, _, P::Closures>(elements, ground, at, level, still, posture, kept, force, correction);
+        let most = if Self::SETTLES { MOST_CORRECTIONS } else { Self::CLOSED };
+        let (scene, ties, none, into) = (self.scene, self.loads.law.ties(), &self.zero, &mut room.correction);
+        let correct = |level, motion: (&_, &_), correction: &mut _| {
+            Self::correct(scene, &ties, (level, time), stage, motion, none, correction);
         };
         let mut corrections = Corrections::<S::Scalar>::begin();
         places[0].visit(&mut |x| corrections.see(x));
         *moves = 0;
         for count in 0..=most {
             let [before, after, ..] = &mut places[count..] else { break };
-            correct(Level::Place, before, &rates[0], into);
+            correct(Level::Place, (before, &rates[0]), into);
             after.clone_from(before);
             after.displace(into);
             *moves = count + 1;
-            if Self::LOOPED && (corrections.end(into, count >= Self::CLOSED) || corrections.overshoot()) {
+            if Self::SETTLES && (corrections.end(into, count >= Self::CLOSED) || corrections.overshoot()) {
                 break;
             }
         }
-        if Self::LOOPED && corrections.lead_nowhere() {
+        if Self::SETTLES && corrections.lead_nowhere() {
             places[*moves].replace(&mut |_| S::Scalar::constant(RealOf::<S>::INFINITY));
         }
         let mut corrections = Corrections::<S::Scalar>::begin();
@@ -141,168 +114,34 @@ where
         *changes = 0;
         for count in 1..=most {
             let [before, after, ..] = &mut rates[count - 1..] else { break };
-            correct(Level::Velocity, &places[*moves], before, into);
+            correct(Level::Velocity, (&places[*moves], before), into);
             after.set(before);
             after.add(into);
             *changes = count;
-            if Self::LOOPED && corrections.end(into, count >= Self::CLOSED) {
+            if Self::SETTLES && corrections.end(into, count >= Self::CLOSED) {
                 break;
             }
         }
     }
 
-    /// From the costates after a projection to those before it, in a step (s) at a time; those of the stage, which stood at a place, and those
-    /// of where it was free, if laws were read there, stay in the room.
-    #[allow(clippy::type_complexity)] // two in one argument
-    pub(super) fn pull_back_projection(
-        &mut self,
-        clock: (RealOf<S>, RealOf<S>),
-        stage: (&StageOf<S, R, C, P, L>, &PositionOf<S, R, C>, Option<&Place<S, R, C>>),
-        projection: &Projection<S, Elements<S, R, C>>,
-        gradient: &mut GradientOf<S, R, C, L>,
-    ) {
-        let Some(room) = &mut self.room else { return };
-        // All corrections are by the stage as it stands at rest.
-        let Room { sizes, rest: Posed { x, y, p, q }, still, .. } = &mut *room;
-        still.clone_from(stage.1);
-        still.stop_clocks();
-        let ground = self.scene.ground(clock.0).at_rest();
-        S::pose(self.scene.elements(), still, &self.zero, ground.turn, sizes, x, y, p, q);
-        room.of_stage.set(&self.zero);
-        room.of_speed.set(&self.zero);
-        if Self::STAYS {
-            room.of_free.0.set(&self.zero);
-            room.of_free.1.set(&self.zero);
-        }
-        let Projection { places, moves, rates, changes } = projection;
-        for rate in rates[..*changes].iter().rev() {
-            let Some(room) = &mut self.room else { continue };
-            room.costates.set(&gradient.start.rate);
-            self.pull_back_correction(Level::Velocity, (&places[*moves], rate), clock, stage, gradient);
-        }
-        for pair in places[..=*moves].windows(2).rev() {
-            let ([place, moved], Some(room)) = (pair, &mut self.room) else { continue };
-            room.costates.set(&gradient.start.position);
-            if Self::CURVED {
-                // The correction is a step, and the place after it turns with the one before it.
-                room.of_rate.set(&self.zero);
-                gradient.start.position.set(&self.zero);
-                let (still, of_step) = ((&self.zero, &self.zero), (&mut room.costates, &mut room.of_rate));
-                moved.transposed_step(place, still, &self.zero, of_step, &mut gradient.start.position);
-            }
-            self.pull_back_correction(Level::Place, (place, &rates[0]), clock, stage, gradient);
-        }
-    }
-
-    /// From the costates of a correction, which are in the room, to those of what it depends on.
-    #[allow(clippy::type_complexity)] // two in one argument
-    fn pull_back_correction(
-        &mut self,
-        level: Level,
-        (place, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
-        (time, step): (RealOf<S>, RealOf<S>),
-        (stage, position, free): (&StageOf<S, R, C, P, L>, &PositionOf<S, R, C>, Option<&Place<S, R, C>>),
-        gradient: &mut GradientOf<S, R, C, L>,
-    ) {
-        let Some(room) = &mut self.room else { return };
-        let (elements, tip, ground) = (self.scene.elements(), self.scene.tip(), self.scene.ground(time));
-        let zero = &self.zero;
-        // What is missed, and costates of the correction that takes it away.
-        let at = Coordinates { position: place, rate, acceleration: zero };
-        let Room { sizes, before: Posed { x, y, p, q }, .. } = &mut *room;
-        S::pose(elements, place, rate, ground.turn, sizes, x, y, p, q);
-        let frame = self.loads.see(elements, ground, Posture { x, y, p, q }, at, time);
-        if Self::LOOPED {
-            missed(elements, ground, at, level, &mut room.missed, &mut room.turns);
-        }
-        let [of_place, of_rate] = tip.residual(time, &frame);
-        let residual = if let Level::Place = level { of_place } else { of_rate };
-        room.costates.replace(&mut |x| -x);
-        let held = room.meet::<P, _>(elements, stage);
-        room.weights.clone_from(&room.nothing);
-        let none: EachOf<S, P> = P::Closures::each(|_| S::Scalar::zero());
-        let mut weights = none;
-        let (columns, of, resting) = (tip.columns(), total::<S, P::Closures>, ground.at_rest());
-        // The tip, and loop by loop.
-        for closure in usize::from(!Self::HELD)..=room.loops {
-            let number = closure.checked_sub(1);
-            room.solved.set(zero);
-            room.forces.clone_from(&room.missed);
-            let mut force = none;
-            if let Some(number) = number {
-                single::<S, _>(elements, number, Left::Own, &mut room.solved, &mut room.forces);
-            } else {
-                room.forces.clone_from(&room.nothing);
-                force = P::Closures::solve(&stage.compliance, &residual);
-            }
-            // The correction x, and how it moves all stations.
-            let moved = room.stir::<P, _>(elements, &resting, stage, force, false);
-            room.correction.set(&room.solved);
-            let kept = (&room.on_bodies, &room.in_joints);
-            swept::<S, _>(elements, kept, &mut room.at_bodies, &mut room.at_joints);
-            // w and ν.
-            room.solved.set(&room.costates);
-            room.of_forces.clone_from(&room.parted);
-            let mut minus_weight = none;
-            if let Some(number) = number {
-                single::<S, _>(elements, number, Left::Moving, &mut room.solved, &mut room.of_forces);
-            } else {
-                minus_weight = held;
-                weights = opposite::<S, P::Closures>(&held);
-            }
-            let stirred = room.stir::<P, _>(elements, &resting, stage, minus_weight, true);
-            // What the stage's M and Γ change of x.
-            let Room { rest, still, solved, correction, of_position, of_rate, on_bodies, in_joints, .. } = room;
-            let Posed { x, y, p, q } = &*rest;
-            let mut pulled = S::Pulled::null();
-            if number.is_none() {
-                pulled = S::pulled((of(&columns, &weights), &moved), (of(&columns, &force), &stirred));
-                add::<S>(&mut gradient.tip, tip.of_columns((&weights, &moved), (&force, &stirred)));
-            }
-            let in_loops = (&room.of_forces, &room.forces, &room.at_ends);
-            let reached = (&room.at_bodies, &room.at_joints, &*on_bodies, &*in_joints, &stage.pivots, in_loops);
-            let motion = (&*still, zero, &*correction, &*solved);
-            let sums = (&mut gradient.bodies, &mut gradient.joints);
-            let stores = (x, y, p, q, motion, reached, sums, (&mut *of_position, &mut *of_rate));
-            let angular = PositionOf::<S, R, C>::CLOCKED;
-            let left = elements.take(&mut PullBack { laws: false, torques: false, angular }, pulled, stores);
-            room.of_stage.add(of_position);
-            if const { M::IMPLICIT } {
-                let weights = self.rule.own::<S::Scalar>(step);
-                let of_laws = (&mut *of_position, &mut *of_rate);
-                let (led, of_led) = match free {
-                    Some((position, rate)) => ((position, rate), (&mut room.of_free.0, &mut room.of_free.1)),
-                    None => ((position, &stage.rate), (&mut room.of_stage, &mut room.of_speed)),
-                };
-                let pair = (&*correction, &*solved);
-                let by_size =
-                    metric::<S, _>(elements, weights, pair, zero, &mut gradient.joints, of_laws, (led, of_led));
-                if let Some(sum) = &mut self.of_own {
-                    *sum += by_size;
-                }
-            }
-            gradient.ground = gradient.ground + S::of_ground(&left, &resting).1;
-            if let Some(number) = number {
-                single::<S, _>(elements, number, Left::Own, &mut room.solved, &mut room.of_forces);
-                singled::add::<S, _>(elements, &room.of_forces, &mut room.weights);
-            }
-        }
-        // What is missed.
-        let Room { before: Posed { x, y, p, q }, solved, on_bodies, in_joints, .. } = room;
-        solved.set(zero);
-        room.forces.clone_from(&room.nothing);
-        let kept = (&mut *on_bodies, &mut *in_joints, (&mut room.forces, &mut room.at_ends));
-        let stores = (&*x, &*y, &*p, &*q, &stage.kept, (place, rate, zero, &mut *solved), kept, &mut room.efforts);
-        elements.take(&mut Stir { forces: none }, S::at_ground(&ground), stores);
-        let mut walk = self.loads.pull(elements, time, level, gradient.law.clone());
-        let felt = tip.felt(&weights, &frame, level);
-        let start = (&mut gradient.start.position, &mut gradient.start.rate);
-        let seen = (&self.loads.on_bodies, &*on_bodies, &*in_joints, (&room.weights, &room.turns));
-        let sums = (&mut gradient.numbers, &mut gradient.joints);
-        let felt = elements.take(&mut walk, felt, (&*x, &*y, &*p, &*q, (place, rate, &*solved), seen, sums, start));
-        gradient.law = walk.of_law;
-        let (of_place, turn) = S::of_place(&felt, &ground);
-        (gradient.place, gradient.ground) = (gradient.place + of_place, gradient.ground + turn);
-        add::<S>(&mut gradient.tip, tip.of_residual(&weights, &frame, level));
+    /// The correction of positions or rates, to first order; gives the forces of couplings.
+    pub(super) fn correct(
+        scene: &System<S, R, C, P>,
+        ties: &L::Ties,
+        (level, time): (Level, RealOf<S>),
+        stage: &StageOf<S, R, C, P, L>,
+        (position, rate): (&PositionOf<S, R, C>, &RateOf<S, R, C>),
+        zero: &RateOf<S, R, C>,
+        correction: &mut RateOf<S, R, C>,
+    ) -> <L::Ties as Ties<S>>::Each<S::Scalar> {
+        let (elements, ground) = (scene.elements(), scene.ground(time));
+        let at = Coordinates { position, rate, acceleration: zero };
+        let [place, velocity] = scene.tip().residual(time, &look(elements, ground, at));
+        let residual = if let Level::Place = level { place } else { velocity };
+        let force = P::Closures::solve(&stage.compliance, &opposite::<S, P::Closures>(&residual));
+        let posture = Posture { x: &stage.x, y: &stage.y, p: &stage.p, q: &stage.q };
+        let (still, kept) = (Acceleration::zero(), &stage.kept);
+        restore::<S, _, P::Closures>(elements, ground, at, level, still, posture, kept, force, correction);
+        ties.rejoin(&stage.responses, level, (position, rate), correction)
     }
 }

@@ -93,6 +93,8 @@ where
     pub(super) const HELD: bool = P::Closures::COUNT > 0;
     /// Whether there are loops.
     pub(super) const LOOPED: bool = System::<S, R, C, P>::LOOPED;
+    /// Whether corrections go on until they are rounding.
+    pub(super) const SETTLES: bool = Self::LOOPED || Self::TIED;
     /// How deep closures are nested.
     pub(super) const CLOSED: usize = System::<S, R, C, P>::CLOSED;
     /// Whether sums are formed in registers, row by row.

@@ -2,6 +2,7 @@
 
 mod at_random;
 mod changes_of_mode;
+mod coupled_closed;
 mod dense;
 mod drag;
 mod front;

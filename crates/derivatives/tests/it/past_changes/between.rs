@@ -82,6 +82,32 @@ fn couplings_of_a_hand_with_stops_and_friction() -> Result<(), Error> {
     Ok(())
 }
 
+/// Two arms that carry each other, the one of which follows the other, with friction in a shoulder and stops in an elbow.
+#[test]
+fn couplings_of_arms_that_carry_each_other() -> Result<(), Error> {
+    macro_rules! arms {
+        ($x:expr, $T:ty) => {{
+            let (x, of): (&[$T], _) = (&$x, <$T as Scalar>::literal);
+            let (bar, j) = (|k: usize| Rod::uniform(x[k], x[2]), Revolute::smooth());
+            let shoulder = Coulomb::new(j, x[3]).breaking_away(x[3] * of(1.4));
+            let elbow = HardStops::between(j, [x[4], of(3.0)]).rebounding(x[5]).named("left");
+            let chain = (shoulder, bar(0), elbow, bar(1), j, bar(1), j.named("right"), bar(0));
+            let scene = System::new(Clamped::origin(), chain, Pinned::at(x[6], of(0.0)))?.with_gravity(x[7]);
+            let couplings = Couplings::of(&scene, [Coupling::new("right", "left").ratio(x[8]).offset(x[9])])?;
+            let mut guess = scene.motion();
+            guess.set_coordinates(&[2.3, -1.1, -1.0, -1.1].map(of))?;
+            let start = scene.assembled(couplings.joined(guess), &couplings)?;
+            (scene, start, couplings, couplings, couplings)
+        }};
+    }
+    let numbers = [0.5, 0.9, 1.0, 0.4, -1.6, 0.5, 0.8, 9.81, 1.0, 0.02];
+    let changes = as_forward_of!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, arms, |gradient, parts| {
+        gradient.along_couplings(&parts)
+    });
+    assert!(changes > 3, "{changes}");
+    Ok(())
+}
+
 /// Gears that rub on both shafts, one of which strikes stops: both come to rest at once, and stay.
 #[test]
 fn gears_that_come_to_rest() -> Result<(), Error> {
