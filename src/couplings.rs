@@ -81,6 +81,8 @@ struct Tie<T: Scalar> {
     offset: T,
     /// An effort (N·m, N) by which the follower accelerates by about one more than the leader asks of it.
     inertia: T::Real,
+    /// A change of what it accelerates more by a unit of effort that is rounding.
+    rounding: T::Real,
 }
 
 impl<T: Scalar> Tie<T> {
@@ -89,9 +91,11 @@ impl<T: Scalar> Tie<T> {
         follower - self.ratio * leader
     }
 
-    /// How far both numbers must miss the ratio to say anything: less is rounding, where the one follows from the other anyhow.
-    fn least(&self, [follower, leader]: [T; 2]) -> T::Real {
-        (follower.real().abs() + (self.ratio * leader).real().abs()) * T::Real::of(LEAST)
+    /// How far both numbers, as a force of a size moves them, must miss the ratio to say anything: less is rounding, where the one follows from the
+    /// other anyhow, or closures hold both.
+    fn least(&self, [follower, leader]: [T; 2], size: T::Real) -> T::Real {
+        let moved = (follower.real().abs() + (self.ratio * leader).real().abs()) * T::Real::of(LEAST);
+        moved.max(size * self.rounding)
     }
 }
 
@@ -195,13 +199,14 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
         let pairs = |list: &[T; N]| {
             self.ties.each_ref().map(|tie| tie.rates.map(|place| list.get(place).copied().unwrap_or(T::zero())))
         };
-        self.balanced_by(&responses.each_ref().map(pairs), self.missing(pairs(free)))
+        self.balanced_by(&responses.each_ref().map(pairs), [T::Real::one(); K], self.missing(pairs(free)))
     }
 
-    /// The shares of responses, by the numbers of followers and leaders in each, that undo what is missed.
-    fn balanced_by(&self, responses: &[[[T; 2]; K]; K], missed: [T; K]) -> [T; K] {
+    /// The shares of responses to forces of these sizes, by the numbers of followers and leaders in each, that undo what is missed.
+    fn balanced_by(&self, responses: &[[[T; 2]; K]; K], sizes: [T::Real; K], missed: [T; K]) -> [T; K] {
         let columns = responses.map(|pairs| [self.missing(pairs).map(|missed| [missed])]);
-        balanced(columns, |k| self.ties[k].least(responses[k][k]), missed.map(|missed| [-missed])).map(|[share]| share)
+        let least = |k: usize| self.ties[k].least(responses[k][k], sizes[k]);
+        balanced(columns, least, missed.map(|missed| [-missed])).map(|[share]| share)
     }
 
     /// Positions of followers and leaders.
@@ -253,9 +258,9 @@ impl<T: Scalar, U: Scalar<Real = T::Real>, const K: usize, L: Lift<T, U>> Lift<T
     type Over = Couplings<U, K, L::Over>;
     fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
         let none = U::zero();
-        let ties = self.ties.map(|Tie { joints, coordinates, rates, ratio, offset, inertia }| {
+        let ties = self.ties.map(|Tie { joints, coordinates, rates, ratio, offset, inertia, rounding }| {
             let [ratio, offset] = [ratio, offset].map(&mut *number);
-            Tie { joints, coordinates, rates, ratio, offset, inertia }
+            Tie { joints, coordinates, rates, ratio, offset, inertia, rounding }
         });
         Couplings { ties, forces: [none; K], given: false, counts: self.counts, others: self.others.lift(number) }
     }

@@ -66,8 +66,8 @@ pub trait Ties<S: Space>: Copy {
     );
     /// Refuses a scene whose joints are not those of the ties.
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault>;
-    /// Refuses a motion that is not tied.
-    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault>;
+    /// Refuses a motion that is not tied, with the number of a joint.
+    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), (Fault, usize)>;
 }
 
 impl<S: Space> Ties<S> for () {
@@ -107,7 +107,7 @@ impl<S: Space> Ties<S> for () {
     fn check(&self, _: usize, _: usize) -> Result<(), Fault> {
         Ok(())
     }
-    fn suits<P: Position<S::Scalar>>(&self, _: &P, _: &P::Rate) -> Result<(), Fault> {
+    fn suits<P: Position<S::Scalar>>(&self, _: &P, _: &P::Rate) -> Result<(), (Fault, usize)> {
         Ok(())
     }
 }

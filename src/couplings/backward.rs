@@ -91,7 +91,7 @@ impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
     fn check(&self, bodies: usize, joints: usize) -> Result<(), Fault> {
         Loading::<S>::check(self, bodies, joints)
     }
-    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), Fault> {
+    fn suits<P: Position<S::Scalar>>(&self, position: &P, rate: &P::Rate) -> Result<(), (Fault, usize)> {
         suits::<S, P>(self, position, rate)
     }
 }

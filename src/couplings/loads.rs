@@ -51,12 +51,12 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
         Answers { free, missed, sizes, responses, pairs }
     }
 
-    /// The shares of responses that undo what is missed.
+    /// The forces that undo what is missed, by responses to a unit of each.
     pub(super) fn solved<V: Rate<T>>(&self, responses: &[V; K], missed: [T; K]) -> [T; K] {
-        self.balanced_by(&responses.each_ref().map(|response| self.rates(response)), missed)
+        self.balanced_by(&responses.each_ref().map(|response| self.rates(response)), [T::Real::one(); K], missed)
     }
 
-    /// Adds to a correction of positions, or of rates, what moves followers to where their leaders have them; gives the shares of responses.
+    /// Adds to a correction of positions, or of rates, what moves followers to where their leaders have them; gives the forces.
     pub(super) fn put_back<P: Position<T>>(
         &self,
         responses: &[P::Rate; K],
@@ -66,9 +66,9 @@ impl<T: Scalar, const K: usize, L: Clone> Couplings<T, K, L> {
     ) -> [T; K] {
         let missed = if let Level::Place = level { self.apart(position) } else { self.missed(rate) };
         let moved = self.missed(correction);
-        let shares = self.solved(responses, core::array::from_fn(|k| missed[k] + moved[k]));
-        along(correction, responses, shares);
-        shares
+        let forces = self.solved(responses, core::array::from_fn(|k| missed[k] + moved[k]));
+        along(correction, responses, forces);
+        forces
     }
 
     /// What forces λ exert in a joint.
@@ -131,12 +131,14 @@ where
         &self,
         position: &P,
         rate: &P::Rate,
-        tell: &mut impl FnMut(Level, S::Scalar, S::Scalar),
+        tell: &mut impl FnMut(Level, usize, [S::Scalar; 2]),
     ) {
-        let places = self.apart(position).into_iter().zip(self.places(position));
-        places.for_each(|(missed, [follower, _])| tell(Level::Place, missed, follower));
-        let rates = self.missed(rate).into_iter().zip(self.rates(rate));
-        rates.for_each(|(missed, [follower, _])| tell(Level::Velocity, missed, follower));
+        let [places, rates] = [self.places(position), self.rates(rate)];
+        let [apart, parting] = [self.apart(position), self.missed(rate)];
+        for (k, Tie { joints: [follower, _], .. }) in self.ties.iter().enumerate() {
+            tell(Level::Place, *follower, [apart[k], places[k][0]]);
+            tell(Level::Velocity, *follower, [parting[k], rates[k][0]]);
+        }
     }
     fn accelerated<V: Rate<S::Scalar>>(
         &self,
@@ -149,9 +151,12 @@ where
             return sweep(self, false, acceleration);
         }
         let Answers { free, missed, sizes, responses, pairs } = self.answers(acceleration, &mut sweep);
-        let shares = self.balanced_by(&pairs, missed);
+        let shares = self.balanced_by(&pairs, sizes, missed);
         if let Some(kept) = kept {
-            *kept = Some(responses.clone());
+            let kept = kept.insert(responses.clone());
+            for (response, size) in kept.iter_mut().zip(sizes) {
+                response.replace(&mut |x| x.scale(size.recip()));
+            }
         }
         if read {
             // What is told of modes is not linear in forces, and closure forces are those of the last sweep.

@@ -1,21 +1,22 @@
 //! Couplings placed in a scene: joints found and looked at, and the inertia that resists each.
 
-use super::{Coupling, Couplings, Pick, Tie, unit};
-use crate::element::{Element, Space};
+use super::{Coupling, Couplings, Pick, Tie, at, unit};
+use crate::element::{Element, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place, ensure_finite};
 use crate::loading::Unloaded;
-use crate::mirror::let_all_go;
+use crate::mirror::{Rate, let_all_go};
 use crate::motion::Motion;
 use crate::names::JointNumbers;
 use crate::relation::Way;
 use crate::release::Release;
-use crate::scalar::Scalar;
+use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::{Dynamics, MotionOf, Runs, System, coordinates};
 use crate::transfer::FromEfforts;
 use crate::visit::Watch;
 use crate::walks::travel::show;
-use num_traits::One;
+use num_traits::{One, Zero};
+
 impl<T: Scalar, const K: usize> Couplings<T, K> {
     /// Couplings of the joints of a scene, and no other loads.
     ///
@@ -31,9 +32,8 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
         System<S, R, C, P>: Runs<Self, S, R, C, P>,
     {
         let none = [0; 2];
-        let [ratio, offset] = [T::one(), T::zero()];
-        let mut ties =
-            [Tie { joints: none, coordinates: none, rates: none, ratio, offset, inertia: T::Real::one() }; K];
+        let ([ratio, offset], [inertia, rounding]) = ([T::one(), T::zero()], [T::Real::one(), T::Real::zero()]);
+        let mut ties = [Tie { joints: none, coordinates: none, rates: none, ratio, offset, inertia, rounding }; K];
         for (tie, Coupling { picks, ratio, offset }) in ties.iter_mut().zip(couplings) {
             ensure_finite(ratio.is_finite() && offset.is_finite(), "ratio or offset of a coupling")?;
             let [follower, leader] = picks.map(|pick| picked(scene, pick));
@@ -49,7 +49,8 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
                 rates: numbers.map(|numbers| numbers.rates().start),
                 ratio,
                 offset,
-                inertia: T::Real::one(),
+                inertia,
+                rounding,
             };
         }
         let (forces, counts) = ([T::zero(); K], [scene.bodies(), scene.joints()]);
@@ -69,6 +70,13 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
     {
         scene.admits(self)?;
         let (still, mut workspace) = (moving(scene), scene.workspace());
+        for tie in &mut self.ties {
+            let [follower, leader] = tie.rates.map(|number| carried(scene, &still, number).recip());
+            // By so much more the follower accelerates at least by a unit of effort, where nothing is closed; where closures hold both joints half
+            // of its digits are left at most. Of a joint that carries no inertia there nothing is known.
+            let rounding = (follower + (tie.ratio * tie.ratio).real() * leader) * T::Real::EPSILON.sqrt();
+            tie.rounding = if rounding.is_finite() { rounding } else { T::Real::zero() };
+        }
         let (mut free, mut moved) = (still.rate.clone(), still.rate.clone());
         let Motion { time, position, rate, .. } = &still;
         if scene.accelerate(&mut still.clone(), &self.pulling([T::zero(); K]), &mut workspace).is_err() {
@@ -79,7 +87,7 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
         for (k, inertia) in inertias.iter_mut().enumerate() {
             scene.accelerations(*time, position, rate, &self.pulling(unit(k, T::one())), &mut workspace, &mut moved);
             let [free, moved] = [&free, &moved].map(|rate| self.missed(rate)[k].real());
-            let found = (moved - free).abs().recip();
+            let found = (moved - free).abs().max(self.ties[k].rounding).recip();
             // Of a joint that does not move there nothing is known.
             *inertia = if found.is_finite() { found } else { T::Real::one() };
         }
@@ -88,6 +96,25 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
         }
         Ok(())
     }
+}
+
+/// The inertia (kg·m², kg) of all that a joint carries, by the number of its rate, where the others are at rest and nothing is closed: twice its
+/// kinetic energy at a rate of one.
+fn carried<S, R, C, P>(scene: &System<S, R, C, P>, still: &MotionOf<S, R, C, P>, number: usize) -> RealOf<S>
+where
+    S: Space,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+{
+    let mut moving = still.clone();
+    let mut energy = |rate: f64| {
+        moving.rate.replace(&mut |_| S::Scalar::zero());
+        moving.rate.replace(&mut at(number, S::Scalar::literal(rate)));
+        scene.budget_of(&moving).kinetic.real()
+    };
+    let still = energy(0.0);
+    energy(1.0) + energy(-1.0) - still - still
 }
 
 /// A motion in which no joint sticks.

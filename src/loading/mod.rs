@@ -115,12 +115,13 @@ pub trait Loading<S: Space> {
         let _ = (responses, level, motion, correction);
     }
 
-    /// Tells by how much coordinates are not where these loads hold them, or not as fast, and the coordinates or their rates.
+    /// Tells by how much coordinates are not where these loads hold them, or not as fast, the numbers of their joints, and the coordinates or their
+    /// rates.
     fn each_miss<P: Position<S::Scalar>>(
         &self,
         position: &P,
         rate: &P::Rate,
-        tell: &mut impl FnMut(Level, S::Scalar, S::Scalar),
+        tell: &mut impl FnMut(Level, usize, [S::Scalar; 2]),
     ) {
         let _ = (position, rate, tell);
     }
@@ -162,32 +163,22 @@ impl Yields {
     }
 }
 
-/// What a coordinate misses, of its place or of its rate, by more than a share of the size of one and its own; what is no number passes: sweeps
-/// say so.
-pub(crate) fn missed_beyond<S: Space, P: Position<S::Scalar>>(
-    loads: &impl Loading<S>,
-    position: &P,
-    rate: &P::Rate,
-    share: RealOf<S>,
-) -> Option<RealOf<S>> {
-    let mut found = None;
-    loads.each_miss(position, rate, &mut |_, missed, own| {
-        let (missed, own) = (missed.real().abs(), own.real().abs());
-        if missed > share * (RealOf::<S>::one() + own) {
-            found = found.or(Some(missed));
-        }
-    });
-    found
-}
-
-/// Refuses positions and rates that are not as loads hold them.
+/// Refuses positions and rates that are not as loads hold them, beyond rounding; with the number of the joint that misses most. What is no number
+/// passes: sweeps say so.
 pub(crate) fn suits<S: Space, P: Position<S::Scalar>>(
     loads: &impl Loading<S>,
     position: &P,
     rate: &P::Rate,
-) -> Result<(), Fault> {
-    let beyond = missed_beyond(loads, position, rate, RealOf::<S>::EPSILON.sqrt());
-    beyond.map_or(Ok(()), |missed| Err(Fault::NotAssembled { residual: missed.as_f64() }))
+) -> Result<(), (Fault, usize)> {
+    let (mut most, mut worst) = (RealOf::<S>::EPSILON.sqrt(), None);
+    loads.each_miss(position, rate, &mut |_, joint, numbers| {
+        let [missed, own] = numbers.map(|x| x.real().abs());
+        let share = missed / (RealOf::<S>::one() + own);
+        if share > most {
+            (most, worst) = (share, Some((missed, joint)));
+        }
+    });
+    worst.map_or(Ok(()), |(missed, joint)| Err((Fault::NotAssembled { residual: missed.as_f64() }, joint)))
 }
 
 /// Refuses a list that is not as long as it must be.

@@ -8,6 +8,7 @@ use super::{MotionOf, Runs, System, coordinates};
 use crate::element::{Element, Level, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::loading::couples;
 use crate::mirror::{Position, Rate};
 use crate::observe::each_residual;
 use crate::relation::{Closures, Geometry};
@@ -109,11 +110,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let freedoms = numbers(&guess.rate).len();
         let [positions, rates] = [Holding::of(holding.positions, freedoms)?, Holding::of(holding.rates, freedoms)?];
         let mut motion = guess.clone();
-        if Self::CLOSED == 0 || holding == Holding::default() {
+        if (Self::CLOSED == 0 && !couples::<S, L>()) || holding == Holding::default() {
             motion = self.assembled(motion, loads)?;
         } else {
-            self.close_places(&mut motion, &positions)?;
-            self.close_rates(&mut motion, &rates)?;
+            self.close_places(&mut motion, &positions, loads)?;
+            self.close_rates(&mut motion, &rates, loads)?;
             self.accelerate_held(&mut motion, loads, &mut self.workspace())?;
         }
         let mut displacement = guess.rate.clone();
@@ -123,14 +124,19 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(Assembled { motion, displacements: numbers(&displacement), rate_changes })
     }
 
-    /// All conditions: of the tip, and of loops.
-    fn conditions(&self, motion: &MotionOf<S, R, C, P>) -> Conditions<S::Scalar> {
+    /// All conditions: of the tip, of loops, and of joints that are coupled.
+    fn conditions<L: Loading<S>>(&self, motion: &MotionOf<S, R, C, P>, loads: &L) -> Conditions<S::Scalar> {
         let residuals = |motion: &MotionOf<S, R, C, P>| {
             let mut residuals = vec![];
             let [place, velocity] = self.residual(motion);
             P::Closures::zip(&place, &velocity, |place, velocity| residuals.push([place, velocity]));
             each_residual(&self.chain, self.root.ground(motion.time), coordinates(motion), |residual| {
                 residuals.push(residual)
+            });
+            let mut apart = S::Scalar::zero();
+            loads.each_miss(&motion.position, &motion.rate, &mut |level, _, [missed, _]| match level {
+                Level::Place => apart = missed,
+                Level::Velocity => residuals.push([apart, missed]),
             });
             residuals
         };
@@ -149,12 +155,17 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// Moves the coordinates that are not held until residuals are nothing but rounding.
-    fn close_places(&self, motion: &mut MotionOf<S, R, C, P>, held: &[bool]) -> Result<(), Error> {
+    fn close_places<L: Loading<S>>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        held: &[bool],
+        loads: &L,
+    ) -> Result<(), Error> {
         let (small, tiny) = Self::tolerances();
         let mut step = motion.rate.clone();
         let mut last = RealOf::<S>::INFINITY;
         for pass in 0..CORRECTIONS {
-            let Conditions { residuals, rows } = self.conditions(motion);
+            let Conditions { residuals, rows } = self.conditions(motion, loads);
             let wanted: Vec<_> = residuals.iter().map(|[place, _]| -*place).collect();
             let change = least_change(rows, &wanted, held);
             set(&mut step, change);
@@ -171,18 +182,25 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         }
         let (residual, place) = self.largest_residual(motion, Level::Place);
         if residual <= small {
-            return Ok(());
+            let mut still = motion.clone();
+            set(&mut still.rate, core::iter::empty()); // rates are not joined yet
+            return self.hold_apart("coordinates", &still, loads);
         }
         let fault = Fault::ImpossibleHold { what: "coordinates", residual: residual.as_f64() };
         Err(Error::new(fault).at(place).at_time(motion.time.as_f64()))
     }
 
     /// Changes the rates that are not held until the ends of what is closed move together.
-    fn close_rates(&self, motion: &mut MotionOf<S, R, C, P>, held: &[bool]) -> Result<(), Error> {
+    fn close_rates<L: Loading<S>>(
+        &self,
+        motion: &mut MotionOf<S, R, C, P>,
+        held: &[bool],
+        loads: &L,
+    ) -> Result<(), Error> {
         let mut change = motion.rate.clone();
         // They are linear in the rates: the second time is for rounding.
         for _ in 0..2 {
-            let Conditions { residuals, rows } = self.conditions(motion);
+            let Conditions { residuals, rows } = self.conditions(motion, loads);
             let wanted: Vec<_> = residuals.iter().map(|[_, velocity]| -*velocity).collect();
             set(&mut change, least_change(rows, &wanted, held));
             motion.rate.add(&change);
@@ -191,9 +209,22 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         motion.rate.visit(&mut |x| size = size.max(x.real().abs()));
         let (residual, place) = self.largest_residual(motion, Level::Velocity);
         if residual <= Self::tolerances().0 * size {
-            return Ok(());
+            return self.hold_apart("rates", motion, loads);
         }
         let fault = Fault::ImpossibleHold { what: "rates", residual: residual.as_f64() };
         Err(Error::new(fault).at(place).at_time(motion.time.as_f64()))
+    }
+
+    /// Refuses a motion whose joints stay apart that loads couple.
+    fn hold_apart<L: Loading<S>>(
+        &self,
+        what: &'static str,
+        motion: &MotionOf<S, R, C, P>,
+        loads: &L,
+    ) -> Result<(), Error> {
+        self.suited(motion, loads).map_err(|error| match error.fault {
+            Fault::NotAssembled { residual } => Error { fault: Fault::ImpossibleHold { what, residual }, ..error },
+            _ => error,
+        })
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::element::{Element, Loading, Space};
 use crate::ends::{Root, Tip};
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, Place};
 use crate::loading::suits;
 use crate::motion::Motion;
 use crate::scalar::Real;
@@ -46,6 +46,13 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     #[inline]
     pub(crate) fn suited<L: Loading<S>>(&self, motion: &MotionOf<S, R, C, P>, loads: &L) -> Result<(), Error> {
         let Motion { time, position, rate, .. } = motion;
-        suits::<S, _>(loads, position, rate).map_err(|fault| Error::new(fault).at_time(time.as_f64()))
+        suits::<S, _>(loads, position, rate)
+            .map_err(|(fault, joint)| self.at_joint(fault, joint).at_time(time.as_f64()))
+    }
+
+    /// What went wrong at a joint.
+    pub(crate) fn at_joint(&self, fault: Fault, joint: usize) -> Error {
+        let place = self.joint(joint).ok().map(|numbers| numbers.station.map_or(Place::Root, Place::Station));
+        place.map_or(Error::new(fault), |place| Error::new(fault).at(place))
     }
 }

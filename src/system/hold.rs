@@ -18,7 +18,7 @@ const SHARE: f64 = 0.3;
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// This motion with its loops closed and its tip where it is held: the least correction of positions and rates, as measured
     /// by the inertia of the scene (of a chain without loops from afar, by the angles), and the accelerations that belong to them. A
-    /// scene with neither is left as it is, but for its accelerations. What must not move is held by
+    /// scene with neither is left as it is, but for its accelerations and for joints that loads [couple](crate::planar::Couplings). What must not move is held by
     /// [`assembled_holding`](Self::assembled_holding), which also tells what did (feature `alloc`). A straight chain or loop cannot tell where to bend: bend it.
     ///
     /// Corrections from afar (a coordinate by more than 0.3 rad or m) are cut short, over lanes each by itself. Which of them are is decided by all
@@ -124,7 +124,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     {
         self.accelerate(motion, loads, workspace)?;
         if Self::CLOSED == 0 {
-            return Ok(());
+            return self.join(motion, loads, workspace);
         }
         let real = RealOf::<S>::of;
         let (small, tiny) = Self::tolerances();
@@ -155,9 +155,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
             last = step;
         }
-        if let Err(Error { fault: Fault::NotAssembled { residual }, .. }) = self.suited(motion, loads) {
-            return Err(Error::new(Fault::NotClosed { residual }).at_time(motion.time.as_f64()));
-        }
+        self.joined(motion, loads)?;
         let (residual, place) = self.largest_residual(motion, Level::Place);
         Err(Error::new(Fault::NotClosed { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
     }

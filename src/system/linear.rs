@@ -65,7 +65,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// By how much rates miss what closures and couplings allow.
     pub(crate) fn missed<L: Loading<S>>(&self, motion: &MotionOf<S, R, C, P>, loads: &L) -> Vec<S::Scalar> {
         let mut all = self.drift(motion);
-        loads.each_miss(&motion.position, &motion.rate, &mut |level, missed, _| {
+        loads.each_miss(&motion.position, &motion.rate, &mut |level, _, [missed, _]| {
             if let Level::Velocity = level {
                 all.push(missed);
             }

@@ -20,6 +20,7 @@ mod inertial;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 mod inertial_forces;
 mod inspect;
+mod joined;
 #[cfg(feature = "alloc")]
 mod least_change;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]

@@ -4,10 +4,9 @@ use super::fall::{Fall, ROUNDED, Step};
 use super::inertial::Inertial;
 use super::lists::{numbers, set};
 use super::{Dynamics, MotionOf, PositionOf, Runs, StiffDynamics, System};
-use crate::element::{Element, Level, Loading, RealOf};
+use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::loading::couples;
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
 use num_traits::Zero;
@@ -60,7 +59,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// # Errors
     /// [`Fault::NoEquilibrium`] with the acceleration left (a scene that falls freely has no equilibrium);
-    /// [`Fault::NotClosed`] where the tip does not reach; [`Fault::NotAssembled`] where couplings contradict each other; [`Fault::Shape`]; [`Fault::Unsupported`] where joints stick and over lanes; those
+    /// [`Fault::NotClosed`] where the tip does not reach, or couplings contradict each other; [`Fault::Shape`]; [`Fault::Unsupported`] where joints stick and over lanes; those
     /// of a sweep.
     pub fn equilibrium<L: Loading<S>>(
         &self,
@@ -162,17 +161,6 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
         self.hold(motion, loads, workspace)?;
-        if const { couples::<S, L>() && Self::CLOSED == 0 } {
-            let (mut responses, mut found) = (L::Responses::default(), motion.rate.clone());
-            loads.accelerated(true, Some(&mut responses), &mut found, |loads, _, found| {
-                self.accelerations(motion.time, &motion.position, &motion.rate, loads, workspace, found);
-            });
-            let mut step = motion.rate.clone();
-            step.replace(&mut |_| S::Scalar::zero());
-            loads.rejoin(&responses, Level::Place, (&motion.position, &motion.rate), &mut step);
-            motion.position.displace(&step);
-            self.suited(motion, loads)?;
-        }
         // A tip whose ground moves has given it rates.
         motion.rate.replace(&mut |_| S::Scalar::zero());
         self.accelerate(motion, loads, workspace)

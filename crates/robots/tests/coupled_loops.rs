@@ -270,6 +270,46 @@ fn a_coupling_that_a_loop_says_as_well_changes_nothing() -> Result<(), Error> {
     Ok(())
 }
 
+/// Parallel cranks on gears, which their loop has turn alike but at its dead points: gears get no force in any posture, and runs through dead points are
+/// those without, step by step.
+#[test]
+fn gears_of_parallel_cranks_change_nothing() -> Result<(), Error> {
+    let (crank, j) = (Rod::uniform(0.2, 1.0), Revolute::smooth());
+    let side = (RigidBody::massless([1.0, 0.0]), j.named("other"), crank);
+    let net = Network::new((j.named("crank"), crank, j, Rod::uniform(1.0, 2.0)), side, Pin);
+    let scene = System::new(Clamped::origin(), net, Free)?.with_gravity(GRAVITY);
+    let gears = Couplings::of(&scene, [Coupling::new("other", "crank")])?;
+    let turned = |angle: f64, rate: f64| {
+        let mut start = scene.motion();
+        start.set_coordinates(&[angle, -angle, angle])?;
+        start.set_rates(&[rate, -rate, rate])?;
+        scene.assembled(start, &gears)
+    };
+    for angle in [-0.5, -0.500_000_1, -0.6, 1.0, 2.8, 1e-3, 1e-4] {
+        let start = turned(angle, 0.0)?;
+        let free = scene.with_accelerations(start, &Unloaded)?;
+        let [geared, free] = [scene.stations(&start, &gears)?, scene.stations(&free, &Unloaded)?].map(|stations| {
+            ["crank", "other"].map(|name| {
+                let joint = scene.joint(name).expect("a joint");
+                stations.joint(joint).expect("a station").internal
+            })
+        });
+        for (geared, free) in geared.iter().zip(&free) {
+            near(geared.torque, 0.0, 1e-13);
+            near(geared.force.x, free.force.x, 1e-9 * (1.0 + free.force.norm()));
+            near(geared.force.y, free.force.y, 1e-9 * (1.0 + free.force.norm()));
+        }
+    }
+    let start = turned(1.0, 12.0)?;
+    for tolerance in [1e-8, 1e-12] {
+        let geared = scene.simulation(Dop853::tolerance(tolerance)).loads(&gears).run(start, 5.0, |_| ())?;
+        let free = scene.simulate(start, Dop853::tolerance(tolerance), 5.0, |_| ())?;
+        assert!(free.motion.coordinates()[0] > 70.0); // eleven times round
+        near(geared.motion.coordinates()[0], free.motion.coordinates()[0], 1e-8);
+    }
+    Ok(())
+}
+
 #[test]
 fn what_cannot_be_joined_says_so() -> Result<(), Error> {
     let (scene, _) = symmetric!();

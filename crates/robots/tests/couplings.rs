@@ -3,7 +3,7 @@
 use catena::planar::*;
 use catena::scalar::{Jet, Pack};
 use catena::simulate::EnergyDrift;
-use catena::system::Position;
+use catena::system::{Holding, Position};
 use catena::{Error, Fault, Place, robot, spatial};
 use catena_oracle::{Noise, farthest, has_order, near};
 use catena_robots::cart;
@@ -567,7 +567,7 @@ fn what_is_no_coupling_is_refused() -> Result<(), Error> {
     // By one and the same ratio to two places at once.
     let both = Couplings::of(&scene, [0.0, 0.1].map(|offset| Coupling::new(2, 1).offset(offset)))?;
     let error = scene.equilibrium(scene.motion(), &both).expect_err("two places");
-    assert!(matches!(error.fault, Fault::NotAssembled { .. }), "{error}");
+    assert!(matches!(error.fault, Fault::NotClosed { .. }), "{error}");
     let start = couplings.joined(scene.motion());
     let error = scene.transfer_matrix::<_, 7>(&start, &couplings, |_, _| ()).expect_err("a matrix");
     assert!(error.to_string().contains("couplings"), "{error}");
@@ -609,5 +609,49 @@ fn adaptive_steps_for_gradients_are_coupled() -> Result<(), Error> {
         run.map(|run| run.motion.coordinates()[0]).map_err(|stopped| stopped.error)
     };
     near(-gradient.by_gravity().y, (end(9.81 + 1e-4)? - end(9.81 - 1e-4)?) / 2e-4, 1e-8);
+    Ok(())
+}
+
+/// Shafts that are not as gears have them: they are turned there by the least change, as measured by their inertias, and made as fast.
+#[test]
+fn shafts_are_assembled_on_gears() -> Result<(), Error> {
+    let (inertias, ratio, offset) = ([0.2, 0.1], -2.0, 0.3);
+    let wheel = |inertia| RigidBody::new(1.0, inertia, [0.0; 2], [0.0; 2]);
+    let (shaft, [a, b]) = (Revolute::smooth(), inertias.map(wheel));
+    let scene = System::new(Clamped::origin(), (Branch((shaft.named("first"), a)), shaft.named("second"), b), Free)?;
+    let follows = Coupling::new("second", "first").ratio(ratio).offset(offset);
+    let gears = Couplings::of(&scene, [follows])?;
+    let mut guess = scene.motion();
+    guess.set_coordinates(&[0.5, 0.4])?;
+    guess.set_rates(&[1.0, 3.0])?;
+    let start = scene.assembled(guess, &gears)?;
+    let yields = ratio * ratio / inertias[0] + 1.0 / inertias[1];
+    for (found, [first, second], offset) in
+        [(start.coordinates(), [0.5, 0.4], offset), (start.rates(), [1.0, 3.0], 0.0)]
+    {
+        let force = -(second - ratio * first - offset) / yields;
+        near(found[0], first - ratio * force / inertias[0], 1e-14);
+        near(found[1], second + force / inertias[1], 1e-14);
+    }
+    // A shaft that is to stay as it is and as fast.
+    let held = scene.assembled_holding(guess, Holding::both(&[0]), &gears)?.motion;
+    near(held.coordinates()[0], 0.5, 0.0);
+    near(held.coordinates()[1], ratio * 0.5 + offset, 1e-15);
+    near(held.rates()[1], ratio, 1e-15);
+    let fault = scene.assembled_holding(guess, Holding::both(&[0, 1]), &gears).map(|_| ()).map_err(|error| error.fault);
+    assert!(
+        matches!(fault, Err(Fault::ImpossibleHold { what: "coordinates", residual }) if residual > 1.0),
+        "{fault:?}"
+    );
+    // What gears say of each other.
+    let twice = Couplings::of(&scene, [follows, Coupling::new("first", "second").ratio(-0.5).offset(0.15)])?;
+    scene.assembled(guess, &twice)?;
+    let against = Couplings::of(&scene, [follows, Coupling::new("first", "second").ratio(-0.5)])?;
+    let error = scene.assembled(guess, &against).map(|_| ()).expect_err("gears that say different things");
+    assert!(matches!(error.fault, Fault::NotClosed { residual } if residual > 0.1), "{error}");
+    // No run begins apart, and the joint that is farthest apart is named.
+    let run = scene.simulation(Rk4::step(0.01)).loads(&gears).run(guess, 0.1, |_| ());
+    let error = run.map(|_| ()).expect_err("shafts apart").error;
+    assert_eq!(error.place, scene.joint("second")?.station.map(Place::Station), "{error}");
     Ok(())
 }

@@ -64,12 +64,12 @@ where
     /// Refuses a motion whose tip is held, or one of whose loops is closed, twice in the same way, in which runs begin, and one in which joints
     /// are not coupled as they are to be.
     pub(super) fn independent(&mut self, start: &MotionOf<S, R, C, P>) -> Result<(), Error> {
-        let ties = self.steps.loads.law.ties();
-        ties.suits(&start.position, &start.rate).map_err(|fault| Error::new(fault).at_time(start.time.as_f64()))?;
+        let (ties, scene) = (self.steps.loads.law.ties(), self.steps.scene);
+        let suits = ties.suits(&start.position, &start.rate);
+        suits.map_err(|(fault, joint)| scene.at_joint(fault, joint).at_time(start.time.as_f64()))?;
         if const { System::<S, R, C, P>::CLOSED == 0 } {
             return Ok(());
         }
-        let scene = self.steps.scene;
         self.spare.copy_state(start);
         scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
     }
