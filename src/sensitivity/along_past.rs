@@ -162,8 +162,38 @@ where
         self.steps.by_ratios()
     }
 
+    /// By the offset of each coupling, for one start: [`Gradient::by_offsets`](crate::sensitivity::Gradient::by_offsets).
+    pub fn by_offsets(&self) -> &[S::Scalar; K] {
+        self.steps.by_offsets()
+    }
+
     /// The gradient along the seeds of the same couplings over jets: [`Gradient::along_couplings`](crate::sensitivity::Gradient::along_couplings).
     pub fn along_couplings<Q, const J: usize>(&self, couplings: &Couplings<Jet<S::Scalar, J>, K, Q>) -> [S::Scalar; J] {
         self.steps.along_couplings(couplings)
+    }
+}
+
+/// Where joints are coupled, under struts besides.
+impl<S, R, C, P, M, L, W, const K: usize, const D: usize, const N: usize>
+    PastGradient<'_, S, R, C, P, M, Couplings<S::Scalar, K, Struts<S::Scalar, D, N, L, W>>>
+where
+    S: ReversiblePoints<D>,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    Couplings<S::Scalar, K, Struts<S::Scalar, D, N, L, W>>:
+        BodyLaw<S, OfNumbers = ([[S::Scalar; K]; 2], OfStruts<S::Scalar, D, N>)>,
+{
+    /// By the numbers of each strut, as without couplings.
+    pub fn by_struts(&self) -> &[ByStrut<S::Scalar, D>; N] {
+        self.steps.by_struts()
+    }
+
+    /// The gradient along the seeds of the same struts over jets, as without couplings.
+    pub fn along_struts<V, const J: usize>(&self, struts: &[Strut<Jet<S::Scalar, J>, D, V>; N]) -> [S::Scalar; J]
+    where
+        V: Lift<Jet<S::Scalar, J>, S::Scalar, Over = W>,
+    {
+        self.steps.along_struts(struts)
     }
 }

@@ -16,7 +16,7 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, Level, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault};
-use crate::mirror::Rate;
+use crate::mirror::{Rate, let_all_go};
 use crate::scalar::{Real, Scalar};
 use crate::system::{Elements, MotionOf, Runs, System};
 use crate::walks::complete::complete;
@@ -118,11 +118,13 @@ where
         let (none, time) = (RealOf::<S>::zero(), start.time);
         stage.position.clone_from(&start.position);
         stage.rate.set(&start.rate);
-        projection.places[0].clone_from(&start.position);
+        // As starts are assembled, with joints that stick or rest let go.
+        let_all_go(&mut stage.position, &mut stage.rate, &start.acceleration);
+        projection.places[0].clone_from(&stage.position);
         projection.rates[0].set(&start.rate);
         self.steps.sweep(None, None, self.steps.rule.springs::<S::Scalar>(0, none), time, stage, slope);
         self.steps.project(time, stage, projection);
-        self.steps.pull_back_projection((time, none), (stage, &start.position, None), projection, gradient);
+        self.steps.pull_back_projection((time, none), (stage, &stage.position, None), projection, gradient);
         if let Some(room) = &self.steps.room {
             gradient.start.position.add(&room.of_stage);
         }

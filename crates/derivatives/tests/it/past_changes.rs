@@ -90,6 +90,7 @@ macro_rules! as_forward {
     };
 }
 
+mod assembled;
 mod between;
 mod wind;
 

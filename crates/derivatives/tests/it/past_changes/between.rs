@@ -55,7 +55,7 @@ fn struts_of_an_arm_with_stops_and_friction() -> Result<(), Error> {
     Ok(())
 }
 
-/// Two fingers that close on each other, the one with friction and the other with stops, under a drag.
+/// Two fingers that close on each other, the one with friction and the other with stops, under a drag, with a strut between them.
 #[test]
 fn couplings_of_a_hand_with_stops_and_friction() -> Result<(), Error> {
     macro_rules! hand {
@@ -69,14 +69,17 @@ fn couplings_of_a_hand_with_stops_and_friction() -> Result<(), Error> {
             let coupling = Coupling::new("right", "left").ratio(x[7]).offset(x[8]);
             let couplings = Couplings::of(&scene, [coupling])?;
             let start = couplings.joined(scene.at_rest(&[x[9], of(0.0)])?);
-            let loads = couplings.and(Loads::none().on_bodies_by(Drag { drag: x[10] }));
-            (scene, start, loads, loads, (couplings, x[10]))
+            let strut =
+                Strut::between((0, [x[11], x[12]]), (1, [x[11], -x[12]])).with_stiffness(x[13]).with_damping(x[14]);
+            let (struts, drag) = ([strut.with_length(x[15])], Loads::none().on_bodies_by(Drag { drag: x[10] }));
+            let loads = couplings.and(Struts::of(struts).and(drag));
+            (scene, start, loads, loads, (couplings, x[10], struts))
         }};
     }
-    let numbers = [0.8, 1.0, 0.3, -2.0, 0.2, 0.7, 9.81, -0.6, 0.1, 0.4, 0.05];
+    let numbers = [0.8, 1.0, 0.3, -2.0, 0.2, 0.7, 9.81, -0.6, 0.1, 0.4, 0.05, 0.3, 0.02, 1.5, 0.05, 0.3];
     let changes = as_forward_of!(Dop853::tolerance(1e-11), Dop853, 1.5, 1e-8, numbers, hand, |gradient, parts| {
         let [by_drag] = *gradient.by_loads()? else { unreachable!() };
-        sum([gradient.along_couplings(&parts.0), along(by_drag, parts.1)])
+        sum([gradient.along_couplings(&parts.0), along(by_drag, parts.1), gradient.along_struts(&parts.2)])
     });
     assert!(changes > 3, "{changes}");
     Ok(())

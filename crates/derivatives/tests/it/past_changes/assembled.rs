@@ -1,0 +1,106 @@
+//! Starts that are assembled and whose joints stick there: against the same starts over jets, assembled and run.
+
+use catena::planar::*;
+use catena::scalar::{Jet, Scalar};
+use catena::{Error, spatial};
+
+/// The derivative of a sum of last coordinates and rates by a length, backward and over jets.
+macro_rules! by_length {
+    ($made:ident, $guess:expr, $length:expr) => {{
+        type J = Jet<f64, 1>;
+        let scene = $made!($length, f64);
+        let start = scene.assembled(scene.at_rest(&$guess)?, &Unloaded)?;
+        let weights: Vec<f64> = (0..start.rates().len()).map(|k| (0.4 + 1.3 * k as f64).cos()).collect();
+        let mut backward = scene.backward(Dop853).assembled();
+        let course = backward.course(&start, Dop853::tolerance(1e-11), 0.3, &[])?;
+        let last = course.states().len() - 1;
+        let gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
+            if step == last { by.add(&weights[..start.coordinates().len()], &weights) } else { Ok(()) }
+        })?;
+        let over = $made!(J::seed($length, 0), J);
+        let begun = over.assembled(start.lift(J::of), &Unloaded)?;
+        let end = over.simulation(Dop853::tolerance(1e-11)).run(begun, 0.3, |_| ());
+        let end = end.map_err(|stopped| stopped.error)?.motion;
+        let ends = end.coordinates().into_iter().zip(&weights).chain(end.rates().into_iter().zip(&weights));
+        let expected = ends.fold(0.0, |sum, (x, weight)| sum + x.eps[0] * weight);
+        let [found] = gradient.along(&over)?;
+        println!("{}: {found} {expected}", stringify!($made));
+        assert!((found - expected).abs() < 1e-9 * (1.0 + expected.abs()), "{found} {expected}");
+    }};
+}
+
+#[test]
+fn linkages_that_rub() -> Result<(), Error> {
+    macro_rules! five_bar {
+        ($length:expr, $T:ty) => {{
+            let of = <$T as Scalar>::literal;
+            let (bar, rubs) = (|l: $T| Rod::uniform(l, of(0.8)), Coulomb::new(Revolute::smooth(), of(0.01)));
+            let side = (RigidBody::massless([of(0.5), of(0.0)]), rubs, bar(of(0.15)), Pin, bar(of(0.45)));
+            let net = Network::new((rubs, bar($length), Pin, bar(of(0.4))), side, Pin);
+            System::new(Clamped::at(of(0.0), of(0.0), of(0.0)), net, Free)?.with_gravity(of(9.81))
+        }};
+    }
+    by_length!(five_bar, [1.0, 0.7, 0.5, 2.2], 0.2);
+    macro_rules! slider_crank {
+        ($length:expr, $T:ty) => {{
+            let of = <$T as Scalar>::literal;
+            let bar = |l: $T| Rod::uniform(l, of(0.8));
+            let block = RigidBody::new(of(1.0), of(0.1), [of(0.0); 2], [of(0.0); 2]);
+            let guide = Coulomb::new(Slider::along(of(0.0)), of(0.1));
+            let net = Network::new((Pin, bar($length), Pin, bar(of(0.4))), (guide, block), Pin);
+            System::new(Clamped::at(of(0.0), of(0.0), of(0.0)), net, Free)?.with_gravity(of(9.81))
+        }};
+    }
+    by_length!(slider_crank, [1.0, -0.4], 0.2);
+    macro_rules! held {
+        ($length:expr, $T:ty) => {{
+            let of = <$T as Scalar>::literal;
+            let bar = |l: $T| Rod::uniform(l, of(0.8));
+            let rubs = Coulomb::new(Revolute::smooth(), of(0.05));
+            let chain = (rubs, bar($length), Pin, bar(of(0.9)), Pin, bar(of(0.6)), Pin, bar(of(0.5)));
+            let root = Clamped::at(of(0.0), of(0.0), of(0.0));
+            System::new(root, chain, Pinned::at(of(0.8), of(0.2)))?.with_gravity(of(9.81))
+        }};
+    }
+    by_length!(held, [1.0, 0.2, -1.5, -0.5], 0.3);
+    Ok(())
+}
+
+#[test]
+fn a_linkage_of_space_that_rubs() -> Result<(), Error> {
+    use spatial::{Ball, Clamped, Coulomb, Free, Network, Revolute, RigidBody, Rod, Rotation, System};
+    macro_rules! linkage {
+        ($length:expr, $T:ty) => {{
+            let of = <$T as Scalar>::literal;
+            let at = |x: [f64; 3]| x.map(of);
+            let rod = |l: $T, m: f64| Rod::uniform(l, of(0.15), of(m));
+            let rocker = Coulomb::new(Revolute::about(at([0.3, 1.0, 0.2])), of(0.01));
+            let main = (Revolute::about(at([0.0, 0.0, 1.0])), rod($length, 0.3), Ball, rod(of(0.9), 0.9));
+            let side = (RigidBody::massless(at([0.7, 0.1, 0.3])), rocker, rod(of(0.8), 0.8));
+            let root = Clamped::at(at([0.0; 3]), Rotation::identity());
+            System::new(root, Network::new(main, side, Ball), Free)?.with_gravity(at([0.5, -2.0, -9.0]))
+        }};
+    }
+    type J = Jet<f64, 1>;
+    let scene = linkage!(0.3, f64);
+    let start = scene.assembled(scene.at_rest(&[0.4, 0.0, -0.5, 0.3, -1.1])?, &Unloaded)?;
+    let mut backward = scene.backward(Dop853).assembled();
+    let course = backward.course(&start, Dop853::tolerance(1e-11), 0.3, &[])?;
+    let (last, weights) = (course.states().len() - 1, [1.0, 0.3, -0.4, 0.2, 0.5]);
+    let gradient =
+        backward.gradient_past(
+            &course,
+            &mut [],
+            |step, _, by| {
+                if step == last { by.add(&[0.0; 5], &weights) } else { Ok(()) }
+            },
+        )?;
+    let over = linkage!(J::seed(0.3, 0), J);
+    let begun = over.assembled(start.lift(J::of), &Unloaded)?;
+    let end = over.simulation(Dop853::tolerance(1e-11)).run(begun, 0.3, |_| ());
+    let end = end.map_err(|stopped| stopped.error)?.motion;
+    let expected: f64 = end.rates().iter().zip(weights).map(|(v, weight)| v.eps[0] * weight).sum();
+    let [found] = gradient.along(&over)?;
+    assert!((found - expected).abs() < 1e-9 * expected.abs(), "{found} {expected}");
+    Ok(())
+}
