@@ -15,12 +15,12 @@ pub use crate::couplings::{Coupling, Couplings};
 pub use crate::driven::Driven;
 pub use crate::guarded::{BoundedCoulomb, Coulomb, HardStops};
 pub use crate::mechanics::planar::{
-    Beam, ClosedLoop, Custom, ElasticHinge, Inertia, Linear, Pin, PointMass, Revolute, RigidBody, Rod, Segments,
-    Slider, Unbalanced, Weld,
+    Beam, ClosedLoop, ElasticHinge, Inertia, Linear, Pin, PointMass, Revolute, RigidBody, Rod, Segments, Slider,
+    Unbalanced, Weld,
 };
 pub use crate::relation::Absent;
 pub use crate::relation::planar::Planar;
-pub use crate::spring::Spring;
+pub use crate::spring::{Custom, Spring};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{StiffStruts, Strut, StrutReading, Struts};
 

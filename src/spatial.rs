@@ -46,7 +46,7 @@ pub use crate::mechanics::spatial::{
 pub use crate::relation::Absent;
 pub use crate::relation::spatial::Spatial;
 pub use crate::relation::spatial::algebra::{Columns, Symmetric3};
-pub use crate::spring::Spring;
+pub use crate::spring::{Custom, Spring};
 pub use crate::stepper::Stepper;
 pub use crate::struts::{StiffStruts, Strut, StrutReading, Struts};
 

@@ -1,12 +1,14 @@
 //! Laws along single coordinates of joints, in the plane and in space: springs, dampers, friction, stops, motors.
 
 mod compression;
+mod custom;
 mod friction;
 mod motor;
 mod several;
 mod stops;
 
 pub(crate) use compression::{Compression, above};
+pub use custom::Custom;
 pub use friction::DryFriction;
 pub use motor::Motor;
 pub use stops::Stops;

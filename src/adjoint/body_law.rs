@@ -124,7 +124,8 @@ impl<S: Reversed, B: LoadLaw<S::BodyMotion, Value: Load<S>> + Copy> ActsOnBodies
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward under `{Self}`",
     label = "loads that gradients do not know",
-    note = "beside struts and couplings a law stands as loads: `struts.and(Loads::none().on_bodies_by(law))`"
+    note = "beside struts and couplings a law stands as loads: `struts.and(Loads::none().on_bodies_by(law))`",
+    note = "in struts a law of your own stands as `Custom(law)`, generic over the scalar and lifted by `catena::lift!`"
 )]
 pub trait ReversibleLoads<S: Reversed>: BodyLaw<S> {
     /// What W·f + w·m changes by with what the load on the body met last reads, for the virtual velocity W of the body's inboard end and

@@ -4,7 +4,7 @@ use super::laws::{NUMBERS, ReversibleLaw, count};
 use crate::element::Implicit;
 use crate::lift::Lift;
 use crate::scalar::{Jet, Scalar};
-use crate::spring::{DryFriction, SpringLaw, Stops};
+use crate::spring::{Custom, DryFriction, SpringLaw, Stops};
 
 /// Position, rate and numbers of a law.
 const INPUTS: usize = NUMBERS + 2;
@@ -74,6 +74,19 @@ macro_rules! by_jets {
     )*};
 }
 by_jets!(DryFriction, Stops);
+
+/// A law of the user's own.
+impl<T: Scalar, L> ReversibleLaw<T> for Custom<L>
+where
+    L: SpringLaw<T> + Lift<T, Read<T>, Over: SpringLaw<Read<T>>>,
+{
+    fn pull_back(&self, position: T, rate: T, of_force: T, of_numbers: &mut [T]) -> [T; 2] {
+        pull_back(&self.0, [position, rate], of_force, of_numbers)
+    }
+    fn pull_back_led(&self, at: [T; 3], of_force: T, springs: Implicit<T::Real>, of_numbers: &mut [T]) -> [T; 2] {
+        pull_back_led(&self.0, at, of_force, springs, of_numbers)
+    }
+}
 
 /// The rest of a list, after as many numbers as a law has.
 fn beyond<'l, T: Scalar>(law: &impl Lift<T, T>, list: &'l mut [T]) -> (&'l mut [T], &'l mut [T]) {

@@ -63,7 +63,7 @@ where
         let delay = match change {
             Change::Begins => {
                 run.next = run.past.clone();
-                run.begin_modes()?;
+                run.begin_modes(true)?;
                 Zero::zero()
             }
             Change::Ends(size) => {

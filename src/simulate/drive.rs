@@ -88,7 +88,7 @@ where
         if loosened {
             self.stands_between()?;
         } else if const { Self::MODES } {
-            self.begin_modes()?;
+            self.begin_modes(false)?;
         }
         self.value = self.value(Shown::Next)?;
         core::mem::swap(&mut self.past, &mut self.next);

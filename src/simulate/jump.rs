@@ -191,19 +191,23 @@ where
         system.accelerate(&mut self.next, loads, &mut Dynamics::<L>::workspace(system))
     }
 
-    /// Refuses a start in which a joint strikes its stop, or stands at it, by what has derivatives: whether it strikes at all hangs on these.
+    /// Refuses a start in which a joint strikes its stop, or stands at it, by what has derivatives: whether it strikes at all hangs on these. One that
+    /// rests there may be `kept`: it begins at its stop, wherever that is.
     ///
     /// # Errors
     /// [`Fault::Unsupported`].
-    pub(super) fn strikes_surely(&mut self) -> Result<(), Error> {
-        let (mut unsure, motion) = (false, &mut self.next);
-        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            let Some(side) = touched(*mode, &told) else { return };
-            let (speed, sure) = (side * rate.real().as_f64(), |x: S::Scalar| varied(x).is_identical(S::Scalar::zero()));
-            unsure |= speed >= 0.0 && !(sure(told.apart) && (speed > 0.0 || sure(*rate)));
-        });
-        let what = "derivatives of a run that begins where a joint touches its stop, by how it does";
-        let refused = Error::new(Fault::Unsupported { what }).at_time(motion.time.as_f64());
-        if unsure { Err(refused) } else { Ok(()) }
+    pub(super) fn strikes_surely(&mut self, mut start: MotionOf<S, R, C, P>, kept: bool) -> Result<(), Error> {
+        let (mut joint, sure) = (0, |x: S::Scalar| varied(x).is_identical(S::Scalar::zero()));
+        while let Some((mode, rate, told)) = Self::joint(&mut start, joint) {
+            let speed = touched(mode, &told).map_or(-1.0, |side| side * rate.real().as_f64());
+            let rests =
+                kept && speed == 0.0 && Self::joint(&mut self.next, joint).is_some_and(|(mode, ..)| mode.is_locked());
+            if speed >= 0.0 && !rests && !(sure(told.apart) && (speed > 0.0 || sure(rate))) {
+                let what = "derivatives of a run that begins where a joint touches its stop, by how it does: begin a little off it";
+                return Err(Error::new(Fault::Unsupported { what }).at_time(start.time.as_f64()));
+            }
+            joint += 1;
+        }
+        Ok(())
     }
 }

@@ -31,6 +31,13 @@ pub(crate) fn check<R: Real>(
             return Err(Error::new(Fault::NotPositive { parameter, value: number.as_f64() }));
         }
     }
+    if let (Control::Fixed(step), Some(longest)) = (control, longest)
+        && step > longest
+    {
+        let outside = "it is longer than the longest step";
+        let (value, most) = (step.as_f64(), longest.as_f64());
+        return Err(Error::new(Fault::OutOfRange { parameter: "step size", value, least: 0.0, most, outside }));
+    }
     if let Control::Tolerance(tolerance) = control {
         let outside = "numbers are rounded by more";
         at_least("tolerance", tolerance.as_f64(), R::EPSILON.as_f64(), outside)?;

@@ -192,7 +192,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
     }
 
     /// With no step longer than this (s) where error control chooses them: loads that come and go within a step would not be seen, nor
-    /// an event function that crosses zero twice.
+    /// an event function that crosses zero twice. Fixed steps that are longer are refused.
     #[must_use]
     pub fn longest_step(self, longest: RealOf<S>) -> Self {
         Self { longest: Some(longest), ..self }

@@ -139,8 +139,8 @@ where
         Ok(delay)
     }
 
-    /// Finds modes of a motion of which only rates are known.
-    pub(super) fn begin_modes(&mut self) -> Result<(), Error> {
+    /// Finds modes of a motion of which only rates are known. Where numbers have derivatives joints that rest at their stops may be `kept` there.
+    pub(super) fn begin_modes(&mut self, kept: bool) -> Result<(), Error> {
         let (mut stops, next) = (false, &mut self.next);
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
             stops |= told.stops;
@@ -151,10 +151,11 @@ where
         if stops {
             let_all_go(&mut next.position, &mut next.rate, &next.acceleration);
             self.stands_between()?;
-            if const { Self::DERIVED } {
-                self.strikes_surely()?;
-            }
+            let start = const { Self::DERIVED }.then(|| self.next.clone());
             self.strike()?;
+            if let Some(start) = start {
+                self.strikes_surely(start, kept)?;
+            }
         } else {
             self.settle_modes(None)?;
         }
@@ -251,7 +252,7 @@ where
         });
         if due {
             self.next = now;
-            self.begin_modes()?;
+            self.begin_modes(false)?;
             core::mem::swap(&mut self.past, &mut self.next);
         }
         Ok(())

@@ -1,7 +1,6 @@
 //! The elastic hinge: a joint with springs and dampers.
 
 use super::axes::Coincident;
-use super::spring::Custom;
 use super::{Acceleration, Frame, Joint, JointMotion, Linear, Planar, Spring, SpringState, Turn, release};
 use crate::element::{Condense, Explicit, Given, Implicit, InJoint, Posture, Springs, Sweep};
 use crate::error::Fault;
@@ -10,7 +9,7 @@ use crate::relation::planar::{Full, Point, RelativeGain, Rigid, Slides};
 use crate::relation::{Absent, Closures, Minus, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
-use crate::spring::{SpringLaw, read};
+use crate::spring::{Custom, SpringLaw, read};
 
 /// A joint with springs and dampers: rotary ones, and linear ones where there are any (see [`Linear`]). Without linear springs
 /// its points coincide.

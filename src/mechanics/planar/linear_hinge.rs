@@ -1,7 +1,6 @@
 //! The elastic hinge with linear springs.
 
 use super::linear::{HingeAxes, Linear};
-use super::spring::Custom;
 use super::{
     Acceleration, ElasticHinge, Frame, HingeRule, Joint, JointMotion, Planar, Spring, SpringState, Turn, release,
 };
@@ -11,7 +10,7 @@ use crate::relation::planar::{Full, Point, Relation, RelativeGain, Rigid, Slides
 use crate::relation::{Absent, Closures, Coefficient, Term};
 use crate::release::Release;
 use crate::scalar::Scalar;
-use crate::spring::{SpringLaw, read};
+use crate::spring::{Custom, SpringLaw, read};
 use nalgebra::Vector2;
 
 /// The rotation of a hinge in a sweep whose springs enter by `K`: against a spring, or free.

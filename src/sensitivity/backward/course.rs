@@ -5,7 +5,7 @@ use super::rules::Staged;
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
-use crate::error::{Error, Fault};
+use crate::error::{Error, Fault, counted};
 use crate::loading::{EffortOf, Values};
 use crate::mirror::{Position, Rate};
 use crate::motion::Motion;
@@ -125,7 +125,10 @@ where
         System<S, R, C, P>: Runs<Acting<S, L>, S, R, C, P>,
     {
         let joints = self.steps.scene.joints();
-        let intervals = (torques.len() / joints.max(1)).max(1);
+        let intervals = torques.len().div_ceil(joints.max(1)).max(1);
+        if torques.len() % joints.max(1) != 0 {
+            counted("torques of intervals, one for each joint in each", joints * intervals, torques.len())?;
+        }
         self.suits(intervals, torques.len())?;
         if !self.fits(start) {
             return Err(Error::new(Fault::Shape));

@@ -71,7 +71,7 @@ where
     ///
     /// The steps are those that were accepted, their sizes held, but those that end where a mode changes: when that is hangs on everything. So a
     /// gradient is that of the motion, shocks included, but for what steps err. A step that begins in a mode keeps it: derivatives of the rate of a joint
-    /// that does not move are zero.
+    /// that does not move are zero, and so are those by the coordinate of one that rests at its stop in the start, for it begins there wherever the stop is.
     ///
     /// # Errors
     /// As [`gradient`](Self::gradient); [`Fault::Unsupported`], with the time, where there are no jump terms ([`Coulomb`](crate::planar::Coulomb) says

@@ -90,8 +90,8 @@ macro_rules! as_forward {
     };
 }
 
-mod assembled;
 mod between;
+mod starts;
 mod wind;
 
 /// A body that hangs from its inboard end.
@@ -527,12 +527,15 @@ fn what_has_no_gradient_is_refused() -> Result<(), Error> {
     refused(backward.gradient(&[], &states, &mut [], |_, _, _| Ok(())).err().expect("steps"), "course");
     let (mut next, mut by_state, none) = (start, [0.0; 4], &mut [][..]);
     refused(backward.linearised_step(&start, 0.1, &[], &mut next, &mut by_state, none).expect_err("a step"), "course");
-    // A start at a stop: which side of it is another matter.
-    let course = backward.course(&start, Rk4::step(0.1), 0.3, &[])?;
+    // A start that strikes a stop: which side of it is another matter.
+    let mut falling = start;
+    falling.set_rates(&[-1.0])?;
+    let course = backward.course(&falling, Rk4::step(0.1), 0.3, &[])?;
     refused(backward.gradient_past(&course, &mut [], |_, _, _| Ok(())).err().expect("a stop"), "touches its stop");
     // Lists of another length, and what is not of this scene.
+    let error = backward.course(&start, Rk4::step(0.1), 0.3, &[0.0; 3]).expect_err("torques");
+    assert!(matches!(error.fault, Fault::Count { expected: 4, given: 3, .. }), "{error}");
     let counted = |error: Error| assert!(matches!(error.fault, Fault::Count { expected: 2, given: 3, .. }), "{error}");
-    counted(backward.course(&start, Rk4::step(0.1), 0.3, &[0.0; 3]).expect_err("torques"));
     let mut above = start;
     above.set_coordinates(&[0.5])?;
     let course = backward.course(&above, Rk4::step(0.1), 0.1, &[])?;

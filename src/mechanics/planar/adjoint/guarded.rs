@@ -1,9 +1,9 @@
 //! The costate sweep in the plane: joints with modes.
 
-use super::laws::ReversibleLaw;
 use super::loads::Felt;
 use super::{Outboard, Pulled, Stirred};
 use crate::adjoint::BodyLaw;
+use crate::adjoint::laws::ReversibleLaw;
 use crate::element::Springs;
 use crate::guarded::backward::guarded;
 use crate::guarded::{Guard, Guarded};

@@ -1,7 +1,7 @@
 //! The costate sweep in the plane: what joints do whose points coincide.
 
-use super::laws::{ReversibleLaw, force, strain};
 use super::{Outboard, Pulled, Stirred, Turning};
+use crate::adjoint::laws::{ReversibleLaw, force, strain};
 use crate::adjoint::passes;
 use crate::element::Springs;
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Pin, Planar, PointMass, RigidBody, Rod, Weld, Wrench};

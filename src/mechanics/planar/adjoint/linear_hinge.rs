@@ -3,10 +3,10 @@
 //! The hinge turns what lies at the outboard point, and that point moves along its [axes](super::hinge_axes).
 
 use super::hinge_axes::{Along, Moved, ReversingAxes};
-use super::laws::{ReversibleLaw, force, strain};
 use super::loads::Felt;
 use super::{AtJoint, LAW_NUMBERS, NUMBERS_OF_JOINT, Outboard, Pulled, Stirred, Turning};
 use crate::adjoint::BodyLaw;
+use crate::adjoint::laws::{ReversibleLaw, force, strain};
 use crate::element::Springs;
 use crate::mechanics::planar::linear_hinge::{LinearGains, Rotation};
 use crate::mechanics::planar::{Acceleration, ElasticHinge, Joint, Linear, Planar, Wrench};

@@ -10,8 +10,8 @@
 //!
 //! Closures are read by the same walk, without loads.
 
-use super::laws::ReversibleLaw;
 use crate::adjoint::jets::seeded;
+use crate::adjoint::laws::ReversibleLaw;
 use crate::adjoint::{BodyLaw, ReversibleLoads};
 use crate::lift::Lift;
 use crate::loading::{Load, LoadLaw};

@@ -6,7 +6,6 @@ mod ends;
 mod guarded;
 mod hinge_axes;
 mod joints;
-mod laws;
 mod linear_hinge;
 mod loads;
 mod loops;
@@ -14,11 +13,11 @@ mod slider;
 mod struts;
 
 use ends::TIP;
-pub(crate) use laws::NUMBERS;
 use loads::Felt;
 pub(crate) use loads::{BODY, numbers};
 
 use super::body::Base;
+use crate::adjoint::laws::NUMBERS;
 use crate::adjoint::{self, Costates, Kind, LoadCostates, Reversed, VirtualMotion};
 use crate::element::Element;
 use crate::mechanics::planar::{Acceleration, BodyMotion, Frame, Planar, Turn, Wrench};

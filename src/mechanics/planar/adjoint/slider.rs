@@ -15,8 +15,8 @@
 //!
 //! and the direction of the line has θ̄ of these.
 
-use super::laws::{ReversibleLaw, force, strain};
 use super::{Outboard, Pulled, Stirred};
+use crate::adjoint::laws::{ReversibleLaw, force, strain};
 use crate::element::Springs;
 use crate::mechanics::planar::axes::{Axes, Inboard, across};
 use crate::mechanics::planar::{Acceleration, Planar, Slider, Wrench};

@@ -1,12 +1,13 @@
-//! Laws of users about the axes of hinges.
+//! Laws of users.
 
+use super::SpringLaw;
 use crate::element::Springs;
 use crate::error::Fault;
 use crate::lift::lift;
 use crate::scalar::Scalar;
-use crate::spring::SpringLaw;
 
-/// A law of the user's own about the axis of a hinge, or between the ends of a [strut](crate::planar::Strut::with_law): see [`ElasticHinge::with`](super::ElasticHinge::with).
+/// A law of the user's own in a joint, or between the ends of a [strut](crate::planar::Strut::with_law): through it runs go backward as soon as it is generic
+/// over the scalar and can be lifted ([`lift!`](crate::lift!)). See [`ElasticHinge::with`](crate::planar::ElasticHinge::with).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Custom<L>(pub L);

@@ -1,8 +1,10 @@
-//! Starts that are assembled and whose joints stick there: against the same starts over jets, assembled and run.
+//! Starts that are assembled and whose joints stick there, and starts at stops: against the same starts over jets, assembled and run.
 
+use super::WIDTH;
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
-use catena::{Error, spatial};
+use catena::{Error, Lift, spatial};
+use std::f64::consts::FRAC_PI_2;
 
 /// The derivative of a sum of last coordinates and rates by a length, backward and over jets.
 macro_rules! by_length {
@@ -102,5 +104,43 @@ fn a_linkage_of_space_that_rubs() -> Result<(), Error> {
     let expected: f64 = end.rates().iter().zip(weights).map(|(v, weight)| v.eps[0] * weight).sum();
     let [found] = gradient.along(&over)?;
     assert!((found - expected).abs() < 1e-9 * expected.abs(), "{found} {expected}");
+    Ok(())
+}
+
+/// A body on a spring that stands on its foot, and jumps; the floor may be anywhere.
+macro_rules! jump {
+    ($x:expr, $T:ty, $above:expr) => {{
+        let (x, of): (&[$T], _) = ($x, <$T as Scalar>::literal);
+        let block = |mass: $T| RigidBody::new(mass, of(1.0), [of(0.0); 2], [of(0.0); 2]);
+        let line = || Slider::along(of(FRAC_PI_2));
+        let foot = HardStops::between(line(), [x[0], of(f64::INFINITY)]).rebounding(of(0.2));
+        let leg = line().with(Spring::new(x[1]).damped(x[2]).resting_at(x[3]));
+        let scene = System::new(Clamped::origin(), (foot, block(x[4]), leg, block(x[5])), Free)?.with_gravity(x[6]);
+        let mut start = scene.motion();
+        start.set_coordinates(&[x[0] + of($above), x[7]])?;
+        (scene, start)
+    }};
+}
+
+const JUMP: [f64; 8] = [0.1, 2e4, 20.0, 0.55, 2.0, 50.0, 9.81, 0.4];
+
+#[test]
+fn a_jump_from_a_stop() -> Result<(), Error> {
+    let changes = as_forward!(Dop853::tolerance(1e-11), Dop853, 0.6, 1e-8, JUMP, |x, T| jump!(x, T, 0.0));
+    assert!(changes > 1, "{changes}"); // it begins, and leaves the floor
+    // By what pulls the leg: as from a hair above the floor.
+    let by_pull = |above: f64| -> Result<f64, Error> {
+        let (scene, start) = jump!(&JUMP[..], f64, above);
+        let mut backward = scene.backward(Dop853);
+        let course = backward.course(&start, Dop853::tolerance(1e-11), 0.3, &[0.0, 0.0, 100.0])?;
+        let (last, mut by_torques) = (course.states().len() - 1, [0.0; 3]);
+        let gradient = backward.gradient_past(&course, &mut by_torques, |step, _, by| {
+            if step == last { by.add(&[1.0, 1.0], &[0.0; 2]) } else { Ok(()) }
+        })?;
+        assert_eq!(gradient.by_position()[0] == 0.0, above == 0.0);
+        Ok(by_torques[2])
+    };
+    let [on, above] = [by_pull(0.0)?, by_pull(1e-12)?];
+    assert!(on > 1e-5 && (on - above).abs() < 1e-8 * on, "{on} {above}");
     Ok(())
 }
