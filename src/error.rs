@@ -163,6 +163,11 @@ pub enum Fault {
         /// Number of closures.
         of: usize,
     },
+    /// A joint sticks or rests at its stop, and drives and closures leave the scene no other way to move.
+    Jammed {
+        /// Its number among joints with dry friction or hard stops, from 0 on.
+        joint: usize,
+    },
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
     SingularTransfer,
     /// The tip cannot be brought to where it is held, the ends of a loop to each other, or joints to where couplings have them, from this guess.

@@ -96,6 +96,11 @@ impl fmt::Display for Fault {
                      one for a `Network` that `LeastNorm` closes"
                 )
             }
+            Fault::Jammed { joint } => write!(
+                f,
+                "joint {joint} of those with dry friction or hard stops, from 0 on, does not move, and drives and closures leave no other way: let \
+                 them give way, as by a torque or a spring for a drive"
+            ),
             Fault::SingularTransfer => write!(
                 f,
                 "no transfer matrix exists: the joint is the centre of percussion of what lies outboard, or nothing yields where a loop is closed; sweep instead"

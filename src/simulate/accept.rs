@@ -76,6 +76,12 @@ where
             let mut taken = Taken { size, last, cut: None, kink: false, switches: false };
             if const { Self::KINKS > 0 } && outcome.is_ok() {
                 outcome = self.end_at_kink(&mut taken);
+                // Of where a step begins a shorter one says nothing else.
+                if let Err(error) = outcome
+                    && error.time == Some(self.past.time.as_f64())
+                {
+                    return Err(error);
+                }
             }
             let Control::Tolerance(tolerance) = self.plan.rule.control else {
                 outcome?;

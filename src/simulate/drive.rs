@@ -178,7 +178,13 @@ where
         self.progress.mark.1 += 1;
         if const { Self::CUTS } && switches {
             let changed = self.switch(|run, due| run.pace(due, size)).and_then(|_| self.value(Shown::Next));
-            let value = changed.inspect_err(|_| self.progress = progress)?; // the step is not taken
+            let value = match changed {
+                Ok(value) => value,
+                Err(error) => {
+                    self.progress = progress; // the step is not taken
+                    return Err(self.jammed(error));
+                }
+            };
             self.progress.mark = (self.next.time, 0);
             let before = core::mem::replace(&mut next_value, value);
             if let (Outcome::Continue, Some(before), Some(after)) = (outcome, before, next_value)

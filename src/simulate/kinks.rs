@@ -112,6 +112,9 @@ where
         let mut first: Option<Crossing> = None;
         for number in 0..Self::KINKS {
             let [before, end] = [self.kink(number, Shown::Past)?, self.kink(number, Shown::Next)?];
+            if before == 0.0 && end == 0.0 {
+                continue; // it is zero all along
+            }
             let from = if begun {
                 departure([before, end], BEGUN * Self::nothing(), &mut |theta| self.kink_at(number, size, theta))?
             } else {

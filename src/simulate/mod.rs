@@ -247,6 +247,8 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E>
     /// With steps that end where one of several functions of the motion crosses zero, the earliest first, and begin anew there: where a load has a
     /// kink. A rule keeps its order across it, error control does not hunt for it, and rules that remember steps forget them.
     ///
+    /// Functions change sign: `x - 1`, not the part of it that acts, which is nothing on one side and does not tell where that begins.
+    ///
     /// A load itself must not jump there: what comes to a stop or sticks is a joint with modes ([`Coulomb`](crate::planar::Coulomb),
     /// [`HardStops`](crate::planar::HardStops)). One that crosses zero twice within a step is not seen
     /// ([`longest_step`](Self::longest_step)). Functions of positions and rates read [`Now::stepped`], for which no rule makes a sweep. Fixed steps

@@ -60,6 +60,27 @@ where
         Ok(loosened)
     }
 
+    /// This error, or, of closures that depend on each other only where a joint does not move, what keeps the scene from moving.
+    #[cold]
+    pub(super) fn jammed(&mut self, error: Error) -> Error {
+        let Fault::RedundantClosures { .. } = error.fault else { return error };
+        let (mut loose, mut number) = (self.next.clone(), 0);
+        let mut held = None;
+        while let Some((mode, _, told)) = Self::joint(&mut loose, number) {
+            if mode.is_locked() || touched(mode, &told).is_some() {
+                held = held.or(Some(number));
+            }
+            number += 1;
+        }
+        let (system, loads) = (self.plan.system, self.plan.loads);
+        let_all_go(&mut loose.position, &mut loose.rate, &loose.acceleration);
+        let moves = system.accelerate(&mut loose, loads, &mut Dynamics::<L>::workspace(system)).is_ok();
+        match held {
+            Some(joint) if moves => Error { fault: Fault::Jammed { joint }, place: None, ..error },
+            _ => error,
+        }
+    }
+
     /// The least margin of the joints at a motion, and which joint has it.
     pub(super) fn margins(motion: &mut MotionOf<S, R, C, P>) -> (f64, usize) {
         let (mut least, mut count) = ((f64::INFINITY, 0), 0);

@@ -317,3 +317,24 @@ fn a_stiff_rope_is_caught_in_few_steps() -> Result<(), Error> {
     }
     Ok(())
 }
+
+/// A function that is zero all along tells of nothing, and one that is no number is refused as such.
+#[test]
+fn functions_without_a_zero() -> Result<(), Error> {
+    let body = RigidBody::new(2.0, 1.0, [0.0; 2], [0.0; 2]);
+    let spring = Slider::along(0.0).with(Spring::new(30.0));
+    let car = System::new(Clamped::origin(), (spring, body), Free)?;
+    let mut start = car.motion();
+    start.set_rates(&[3.0])?;
+    let simulation = || car.simulation(Dop853::tolerance(1e-9));
+    let (plain, still) =
+        (simulation().run(start, 5.0, |_| ())?, simulation().kinks(|_| [0.0]).run(start, 5.0, |_| ())?);
+    assert_eq!((still.motion, still.steps, still.sweeps), (plain.motion, plain.steps, plain.sweeps));
+    for fault in [
+        simulation().kinks(|_| [f64::NAN]).run(start, 5.0, |_| ()).expect_err("no number").error,
+        car.simulation(Rk4::step(0.1)).kinks(|_| [f64::NAN]).run(start, 5.0, |_| ()).expect_err("no number").error,
+    ] {
+        assert!(matches!(fault.fault, Fault::NotFinite { .. }) && fault.time == Some(0.0), "{fault}");
+    }
+    Ok(())
+}
