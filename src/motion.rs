@@ -7,7 +7,7 @@ mod flat;
 use crate::lift::Lift;
 use crate::mirror::{Mode, Position, Rate};
 use crate::relation::{Closures, Open};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use core::fmt::{self, DebugList};
 use num_traits::Zero;
 
@@ -107,14 +107,14 @@ impl<T: Scalar, P: Position<T>, C: Closures> Motion<T, P, C> {
         &mut self.acceleration
     }
 
-    /// This motion over another scalar, `number` replacing each coordinate, rate and acceleration.
-    pub fn lift<U: Scalar<Real = T::Real>>(&self, mut number: impl FnMut(T) -> U) -> Motion<U, P::Over, C>
+    /// This motion over another scalar, `number` replacing each coordinate, rate and acceleration: over jets, or in single precision.
+    pub fn lift<U: Scalar>(&self, mut number: impl FnMut(T) -> U) -> Motion<U, P::Over, C>
     where
         P: Lift<T, U, Over: Position<U, Rate = <P::Rate as Lift<T, U>>::Over>>,
         P::Rate: Lift<T, U>,
     {
         Motion {
-            time: self.time,
+            time: U::Real::of(self.time.as_f64()),
             position: self.position.lift(&mut number),
             rate: self.rate.lift(&mut number),
             acceleration: self.acceleration.lift(&mut number),

@@ -54,7 +54,8 @@
 //! | feet on the ground, in space | [`Contacts`](crate::spatial::Contacts) |
 //! | a law of one's own in a joint, known to implicit rules | [`SpringLaw`](crate::planar::SpringLaw) |
 //! | a spring between two points of bodies | [`Strut`](crate::planar::Strut) |
-//! | a law of one's own between them: an absorber, a muscle | [`Strut::with_law`](crate::planar::Strut::with_law) |
+//! | a law of length and rate of one's own between them: an absorber, a muscle of one excitation | [`Strut::with_law`](crate::planar::Strut::with_law) |
+//! | a load that hangs on the motions of several bodies: gas by the angle of a crank, a muscle along points that is excited over time | [`ForceElement`](crate::planar::ForceElement) |
 //! | a rope that hangs slack, a buffer | [`Strut::pulling`](crate::planar::Strut::pulling), [`pushing`](crate::planar::Strut::pushing) |
 //! | such struts, so stiff that steps are longer than its vibration | [`Struts::stiff`](crate::planar::Struts::stiff), by implicit rules |
 //! | limits, thresholds, buffers: loads with a kink, by rules that keep their order | [`kinks`](crate::simulate::Simulation::kinks) of a run |

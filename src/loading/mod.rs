@@ -1,9 +1,11 @@
 //! What acts on a scene besides uniform gravity.
 
+mod force_element;
 mod laws;
 mod loads;
 mod responses;
 
+pub use force_element::ForceElement;
 pub use laws::{Function, InJoints, LoadLaw, OnBodies, OverTime, Seen, SeriesLaw, TimeLaw, Values};
 pub use loads::Loads;
 pub(crate) use responses::{Each, LARGER, balanced};

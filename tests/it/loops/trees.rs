@@ -280,7 +280,7 @@ fn duals_differentiate_a_tree() -> Result<(), Error> {
 fn trees_lift_settle_and_vibrate() -> Result<(), Error> {
     let scene = y(RODS)?;
     let single = scene.lift(|x| x as f32);
-    let motion = single.with_accelerations(single.at_rest(&START.map(|x| x as f32))?, &Unloaded)?;
+    let motion = single.with_accelerations(scene.at_rest(&START)?.lift(|x| x as f32), &Unloaded)?;
     let exact = scene.with_accelerations(scene.at_rest(&START)?, &Unloaded)?;
     near(f64::from(motion.acceleration().0), exact.acceleration().0, 1e-4);
 
