@@ -165,7 +165,7 @@ pub enum Fault {
     },
     /// A joint sticks or rests at its stop, and drives and closures leave the scene no other way to move.
     Jammed {
-        /// Its number among joints with dry friction or hard stops, from 0 on.
+        /// Number of the joint among those with dry friction or hard stops, counted from 0.
         joint: usize,
     },
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.

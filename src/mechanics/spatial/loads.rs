@@ -2,6 +2,7 @@
 
 use super::{BodyMotion, Frame, JointMotion, Spatial};
 use crate::lift::Lift;
+use crate::lift::lift;
 use crate::loading::{LoadLaw, OverTime, Seen, SeriesLaw, TimeLaw};
 use crate::relation::spatial::Couple;
 use crate::relation::spatial::algebra::{Columns, cross};
@@ -74,6 +75,8 @@ impl<T: Scalar> Points<3> for Spatial<T> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Effort<T>(pub [T; 3]);
+
+lift!(Effort<N> { 0 });
 
 impl<T: Scalar> Default for Effort<T> {
     fn default() -> Self {

@@ -6,9 +6,10 @@ use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, RealOf, Unloaded};
 use crate::ends::Root;
 use crate::error::{Error, Fault, counted};
-use crate::loading::{EffortOf, Seen};
+use crate::lift::Lift;
+use crate::loading::EffortOf;
 use crate::mirror::{Position, Rate};
-use crate::relation::Geometry;
+use crate::relation::{Additive, Geometry};
 use crate::scalar::{Pack, Scalar};
 use crate::stepper::advances;
 use crate::system::{Dynamics, Elements, MotionOf, Runs, System};
@@ -115,7 +116,7 @@ where
         Dynamics::<Unloaded>::accept(self.steps.scene, next)
     }
 
-    /// A step with its Jacobians, as [`linearised_step`](Self::linearised_step), `N` rows at a time: of a scene in the plane over
+    /// A step with its Jacobians, as [`linearised_step`](Self::linearised_step), `N` rows at a time: of a scene over
     /// [packs](Pack), all of whose numbers are the same side by side, and so are those of the motion and the torques.
     ///
     /// ```
@@ -143,14 +144,20 @@ where
         torques: &[EffortOf<S>],
         next: &mut MotionOf<S, R, C, P>,
         by_state: &mut [T],
-        by_torques: &mut [T],
+        by_torques: &mut [<EffortOf<S> as Lift<Pack<T, N>, T>>::Over],
     ) -> Result<(), Error>
     where
         S: Geometry<Scalar = Pack<T, N>>,
-        S::JointMotion: Seen<Load = Pack<T, N>>,
+        EffortOf<S>: Lift<Pack<T, N>, T>,
     {
         const { assert!(N > 0, "no rows at a time") };
-        let mut alike = torques.iter().all(Pack::is_even);
+        let mut alike = true;
+        torques.iter().for_each(|torque| {
+            torque.lift(&mut |x| {
+                alike &= x.is_even();
+                x.0[0]
+            });
+        });
         past.position.visit(&mut |x| alike &= x.is_even());
         past.rate.visit(&mut |x| alike &= x.is_even());
         if !alike {
@@ -179,10 +186,10 @@ where
             self.scratch.start.rate.visit(&mut put);
             let mut column = 0;
             let of_torques = &mut self.steps.of_torques;
-            let mut put = |torque: &mut Pack<T, N>| {
-                let x = core::mem::replace(torque, Pack::of(T::zero()));
+            let mut put = |torque: &mut EffortOf<S>| {
+                let all = core::mem::replace(torque, EffortOf::<S>::null());
                 let list = by_torques.iter_mut().skip(first * joints + column).step_by(joints.max(1));
-                list.zip(x.0).for_each(|(entry, x)| *entry = x);
+                list.take(N).enumerate().for_each(|(k, entry)| *entry = all.lift(&mut |x| x.0[k]));
                 column += 1;
             };
             unspread::each_joint(self.steps.scene.elements(), of_torques, &mut put);

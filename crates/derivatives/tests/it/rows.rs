@@ -40,6 +40,47 @@ fn rows_at_a_time_are_rows_one_by_one() {
     both::<4>();
 }
 
+/// In space, where three numbers act in a joint: a ball, a hinge and links.
+#[test]
+fn rows_at_a_time_are_rows_one_by_one_in_space() {
+    use catena::{robot, spatial};
+    type P = Pack<f64, 4>;
+    macro_rules! both {
+        ($scene:expr, $rates:expr, $rows:literal, $joints:literal) => {{
+            let scene = $scene;
+            let mut now = scene.motion();
+            now.set_rates(&$rates).unwrap();
+            let torques: [_; $joints] = core::array::from_fn(|k| spatial::Effort([0.3 - 0.1 * k as f64, 0.2, -0.1]));
+            let (mut next, mut a) = (now, [0.0_f64; $rows * $rows]);
+            let mut b = [spatial::Effort([0.0; 3]); $rows * $joints];
+            scene.backward(Rk4).linearised_step(&now, 0.04, &torques, &mut next, &mut a, &mut b).unwrap();
+            let (packed, start) = (scene.lift(P::of), now.lift(P::of));
+            let (mut end, mut by_state, mut by_torques) =
+                (start, [f64::NAN; $rows * $rows], b.map(|_| spatial::Effort([f64::NAN; 3])));
+            let torques = torques.map(|torque| spatial::Effort(torque.0.map(P::of)));
+            let mut backward = packed.backward(Rk4);
+            backward.linearised_step_in_rows(&start, 0.04, &torques, &mut end, &mut by_state, &mut by_torques).unwrap();
+            assert!(a.iter().zip(&by_state).all(|(x, y)| (x - y).abs() < 1e-13), "{a:?} {by_state:?}");
+            let mut largest = 0.0_f64;
+            for (x, y) in b.iter().zip(&by_torques).flat_map(|(x, y)| x.0.iter().zip(&y.0)) {
+                assert!((x - y).abs() < 1e-13, "{x} {y}");
+                largest = largest.max(x.abs());
+            }
+            assert!(largest > 1e-3, "{largest}");
+        }};
+    }
+    let rod = spatial::Rod::uniform(0.5, 0.05, 1.0);
+    let hinge = spatial::Revolute::about([0.0, 1.0, 0.0]);
+    let chain = (rod, spatial::Ball, rod, hinge, rod);
+    let scene = spatial::System::new(spatial::Pinned::origin(), chain, spatial::Free).unwrap();
+    both!(scene.with_gravity([0.3, -9.81, 0.1]), [0.3, 0.5, -0.2, 1.0, 0.4, 0.2, -0.5], 14, 3);
+    let link = robot::Link::general(1.0, [0.02, 0.01, 0.2], [[0.06, 0.0, 0.0], [0.0, 0.05, 0.0], [0.0, 0.0, 0.02]]);
+    let elbow = robot::Hinge::at::<0b111>([0.05, -0.02, 0.4]).turned(robot::Quarter::<30>);
+    let chain = (robot::Hinge::level().grounded(), link, elbow, link);
+    let scene = robot::System::new(robot::Base::origin(), chain, spatial::Free).unwrap();
+    both!(scene.with_gravity([0.3, -9.81, 0.1]), [1.0, -0.5], 4, 3);
+}
+
 /// Dual numbers are equal where their real parts are: sines know better.
 #[test]
 fn sines_of_packs_keep_derivatives_apart() {
