@@ -126,7 +126,7 @@ where
     {
         let joints = self.steps.scene.joints();
         let intervals = torques.len().div_ceil(joints.max(1)).max(1);
-        if torques.len() % joints.max(1) != 0 {
+        if !torques.len().is_multiple_of(joints) {
             counted("torques of intervals, one for each joint in each", joints * intervals, torques.len())?;
         }
         self.suits(intervals, torques.len())?;
