@@ -30,6 +30,7 @@
 
 mod body_law;
 pub mod by_strut;
+pub mod forces;
 pub mod jets;
 pub mod laws;
 mod outboard;

@@ -44,7 +44,7 @@ pub mod laws {
 
 /// What acts on a scene. All are in [`planar`](crate::planar), too; [`loading`](crate::loading) says more.
 pub mod loads {
-    pub use crate::loading::{ForceElement, InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
+    pub use crate::loading::{ForceElement, ForceLaw, InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
 }
 
 /// What is read from a motion. All are in [`planar`](crate::planar), too.

@@ -71,7 +71,7 @@ pub mod laws {
 
 /// What acts on a scene. All are in [`spatial`](crate::spatial), too; [`loading`](crate::loading) says more.
 pub mod loads {
-    pub use crate::loading::{ForceElement, InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
+    pub use crate::loading::{ForceElement, ForceLaw, InJoints, LoadLaw, Loads, OnBodies, Unloaded, Values};
     pub use crate::mechanics::spatial::{Contact, Contacts, Effort, Heights, PlainContacts, Plane, Surface};
 }
 

@@ -13,7 +13,7 @@ use crate::walks::{Burden, LAW, PullLoads};
 #[diagnostic::on_unimplemented(
     message = "no gradient of a run goes backward under `{Self}`",
     label = "no law of loads on bodies, struts or couplings",
-    note = "it goes backward under a `LoadLaw` of each body's motion, under `Struts` and under `Couplings`, alone or beside such a law: `Struts::of(..).and(Loads::none().on_bodies_by(..))`",
+    note = "it goes backward under a `LoadLaw` of each body's motion, under `Struts`, under a `ForceElement::by(..)` whose law is a struct that can be lifted, and under `Couplings`, alone or beside such a law: `Struts::of(..).and(Loads::none().on_bodies_by(..))`",
     note = "run the same scene over jets or dual numbers instead"
 )]
 pub trait BodyLaw<S: Reversed>: Copy {

@@ -1,8 +1,10 @@
 //! Force elements: loads on several bodies that hang on the motions of all of them.
 
-use super::{Load, Loading, Seen, Unloaded, Yields, couples};
+use super::{Function, Load, Loading, Seen, Unloaded, Yields, couples};
 use crate::error::Fault;
+use crate::lift::Lift;
 use crate::relation::{Wrench, WrenchOf};
+use crate::scalar::Scalar;
 use crate::space::{RealOf, Space};
 
 /// A force element, beside other loads: what acts on some bodies by the time and the motions of all of them, as the gas in a cylinder by the angle of a
@@ -10,7 +12,8 @@ use crate::space::{RealOf, Space};
 ///
 /// Its law is told the time (s) and the motions of its bodies, and gives the load on each, as [`Loads::on_bodies`](super::Loads::on_bodies) does. It is evaluated for each of
 /// them, and the scene is seen as a whole first, which costs a walk more in each sweep. Rules of all kinds take it as it is: implicit ones do not know
-/// its stiffness, so that a step must resolve it ([`Struts`](crate::planar::Struts) says how). Runs do not go backward under it, nor do Taylor series compile.
+/// its stiffness, so that a step must resolve it ([`Struts`](crate::planar::Struts) says how). Taylor series do not compile. Runs go backward under one whose law is a
+/// [`ForceLaw`] of its own ([`by`](Self::by)), by the numbers it is made of.
 ///
 /// ```
 /// use catena::planar::*;
@@ -32,14 +35,37 @@ use crate::space::{RealOf, Space};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct ForceElement<F, const N: usize, L = Unloaded> {
-    bodies: [usize; N],
-    law: F,
-    others: L,
+    pub(crate) bodies: [usize; N],
+    pub(crate) law: F,
+    pub(crate) others: L,
+}
+
+/// A law of a force element between `N` bodies.
+///
+/// One that is generic over the scalar and can be lifted ([`lift!`](crate::lift!)) is known to runs that go backward.
+pub trait ForceLaw<S: Space, const N: usize> {
+    /// The loads on the bodies, at a time (s), by their motions.
+    fn loads(&self, time: RealOf<S>, bodies: &[S::BodyMotion; N]) -> [WrenchOf<S>; N];
+}
+
+impl<S: Space, F: Fn(RealOf<S>, &[S::BodyMotion; N]) -> [WrenchOf<S>; N], const N: usize> ForceLaw<S, N>
+    for Function<F>
+{
+    fn loads(&self, time: RealOf<S>, bodies: &[S::BodyMotion; N]) -> [WrenchOf<S>; N] {
+        (self.0)(time, bodies)
+    }
+}
+
+impl<F, const N: usize> ForceElement<Function<F>, N> {
+    /// A force element between bodies of these numbers, by a function of the time (s) and of their motions, which gives the load on each.
+    pub const fn between(bodies: [usize; N], law: F) -> Self {
+        Self { bodies, law: Function::new(law), others: Unloaded }
+    }
 }
 
 impl<F, const N: usize> ForceElement<F, N> {
     /// A force element between bodies of these numbers, by a law.
-    pub const fn between(bodies: [usize; N], law: F) -> Self {
+    pub const fn by(bodies: [usize; N], law: F) -> Self {
         Self { bodies, law, others: Unloaded }
     }
 
@@ -53,7 +79,7 @@ impl<F, const N: usize> ForceElement<F, N> {
 impl<S, F, L, const N: usize> Loading<S> for ForceElement<F, N, L>
 where
     S: Space,
-    F: Fn(RealOf<S>, &[S::BodyMotion; N]) -> [WrenchOf<S>; N],
+    F: ForceLaw<S, N>,
     L: Loading<S>,
 {
     type OnBody = WrenchOf<S>;
@@ -102,7 +128,7 @@ where
         let mut sum = if L::ON { self.others.on_body(others, time, body, motion).wrench() } else { Wrench::none() };
         if self.bodies.contains(&body) {
             // All are seen before the first load is asked for.
-            let loads = (self.law)(time, &bodies.map(|seen| seen.unwrap_or(*motion)));
+            let loads = self.law.loads(time, &bodies.map(|seen| seen.unwrap_or(*motion)));
             for (_, load) in self.bodies.iter().zip(loads).filter(|(number, _)| **number == body) {
                 sum = sum + load;
             }
@@ -116,5 +142,12 @@ where
         let beyond = self.bodies.into_iter().find(|body| *body >= bodies);
         beyond.map_or(Ok(()), |body| Err(Fault::NoSuchBody { body, bodies }))?;
         self.others.check(bodies, joints)
+    }
+}
+
+impl<T: Scalar, U: Scalar, F: Lift<T, U>, L: Lift<T, U>, const N: usize> Lift<T, U> for ForceElement<F, N, L> {
+    type Over = ForceElement<F::Over, N, L::Over>;
+    fn lift(&self, number: &mut impl FnMut(T) -> U) -> Self::Over {
+        ForceElement { bodies: self.bodies, law: self.law.lift(number), others: self.others.lift(number) }
     }
 }

@@ -88,7 +88,7 @@ lift!(Values<V> { 0 });
 ///
 /// Named by a function pointer or a boxed function, it is one type for many laws, which one stepper can take in turn.
 #[derive(Clone, Copy, Debug)]
-pub struct Function<F>(F);
+pub struct Function<F>(pub(super) F);
 
 /// A function as the law of what acts on bodies.
 pub type OnBodies<F> = Function<F>;

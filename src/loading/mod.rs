@@ -5,7 +5,7 @@ mod laws;
 mod loads;
 mod responses;
 
-pub use force_element::ForceElement;
+pub use force_element::{ForceElement, ForceLaw};
 pub use laws::{Function, InJoints, LoadLaw, OnBodies, OverTime, Seen, SeriesLaw, TimeLaw, Values};
 pub use loads::Loads;
 pub(crate) use responses::{Each, LARGER, balanced};

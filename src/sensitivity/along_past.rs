@@ -5,6 +5,7 @@ use super::along::Along;
 use super::backward::Acting;
 use super::front::parts::OfNumbers;
 use crate::adjoint::by_strut::ByStrut;
+use crate::adjoint::forces::OfForce;
 use crate::adjoint::struts::{OfStruts, ReversiblePoints};
 use crate::adjoint::{BodyLaw, Costates, LoadCostates, Reversed, ReversibleTip};
 use crate::couplings::Couplings;
@@ -13,6 +14,7 @@ use crate::ends::{Root, Tip};
 use crate::error::Error;
 use crate::lift::Lift;
 use crate::loading::EffortOf;
+use crate::loading::ForceElement;
 use crate::mechanics::planar::Planar;
 use crate::mechanics::spatial::Spatial;
 use crate::mirror::Position;
@@ -195,5 +197,29 @@ where
         V: Lift<Jet<S::Scalar, J>, S::Scalar, Over = W>,
     {
         self.steps.along_struts(struts)
+    }
+}
+
+/// Under a force element.
+impl<S, R, C, P, M, F, L, X, const N: usize> PastGradient<'_, S, R, C, P, M, ForceElement<F, N, L>>
+where
+    S: Reversed,
+    R: Root<S>,
+    C: Element<S>,
+    P: Tip<S>,
+    X: Clone,
+    ForceElement<F, N, L>: BodyLaw<S, OfNumbers = (OfForce<S::Scalar>, X)>,
+{
+    /// By the numbers of its law: [`Gradient::by_force`](crate::sensitivity::Gradient::by_force).
+    pub fn by_force(&self) -> &[S::Scalar] {
+        self.steps.by_force()
+    }
+
+    /// The gradient along the seeds of the same law over jets: [`Gradient::along_force`](crate::sensitivity::Gradient::along_force).
+    pub fn along_force<V, const K: usize>(&self, law: &V) -> [S::Scalar; K]
+    where
+        V: Lift<Jet<S::Scalar, K>, S::Scalar, Over = F>,
+    {
+        self.steps.along_force(law)
     }
 }

@@ -78,6 +78,7 @@ mod along_past;
 mod along_robots;
 mod backward;
 mod couplings;
+mod forces;
 mod forward;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub(crate) mod front;

@@ -10,12 +10,15 @@ use crate::error::{Error, Fault, Place, counted};
 use crate::loading::{EffortOf, Loading};
 use crate::mirror::{Position, Rate};
 use crate::relation::{Absent, Part};
+use crate::release::Release;
 use crate::scalar::Real;
 use crate::simulate::limits;
-use crate::system::Dynamics;
-use crate::system::{Elements, MotionOf, PositionOf, Runs, System};
+use crate::space::Space;
+use crate::system::{Dynamics, Elements, MotionOf, PositionOf, Runs, System, coordinates};
 use crate::time::Control;
+use crate::visit::Watch;
 use crate::walks::fits::fits;
+use crate::walks::travel::show;
 
 impl<S, R, C, P, M, L> Backward<'_, S, R, C, P, M, L>
 where
@@ -69,6 +72,14 @@ where
         suits.map_err(|(fault, joint)| scene.at_joint(fault, joint).at_time(start.time.as_f64()))?;
         if const { System::<S, R, C, P>::CLOSED == 0 } {
             return Ok(());
+        }
+        if const { Steps::<S, R, C, P, M, L>::TIED } {
+            let mut look = LookForFixedAxes(false);
+            show(scene.elements(), scene.ground(start.time), coordinates(start), &mut look);
+            if look.0 {
+                let what = "the gradient of a run whose joints are coupled beside linear springs along fixed axes, where something is held or closed";
+                return Err(Error::new(Fault::Unsupported { what }));
+            }
         }
         self.spare.copy_state(start);
         scene.accelerate(&mut self.spare, &Unloaded, &mut scene.workspace())
@@ -144,5 +155,15 @@ where
         } else {
             counted("torques of all steps (or of one, or none)", steps.saturating_mul(joints), given)
         }
+    }
+}
+
+/// Looks for a joint whose coordinates move otherwise than virtual velocities do: what couplings move there puts nothing back.
+struct LookForFixedAxes(bool);
+
+impl<S: Space> Watch<S> for LookForFixedAxes {
+    fn joint_with(&mut self, _: &S::JointMotion, release: &dyn Fn() -> Release<S>) {
+        let release = release();
+        self.0 |= release.balanced && !release.swings;
     }
 }

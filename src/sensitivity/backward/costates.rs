@@ -261,7 +261,7 @@ where
         if const { !(R::RESTS && P::RESTS) } {
             gradient.asked = Some(Asked::and(gradient.asked, time));
         }
-        let minus_weights = const { Self::TIED }.then(|| self.untie(stage));
+        let minus_weights = if const { Self::TIED } { self.untie(start, &frame, (stage, slope)) } else { None };
         let (weight, stirred) = self.stir(start, &frame, (stage, slope));
         let elements = self.scene.elements();
         let Stage { x, y, p, q, pivots, at_bodies, at_joints, in_loops, .. } = stage;

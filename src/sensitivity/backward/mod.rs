@@ -130,7 +130,7 @@ pub use tape::Tape;
 /// joints, reflected inertias. What a type says to be zero has no derivative.
 ///
 /// Joints in all of these may be [`Driven`](crate::planar::Driven) by a law that can be lifted: its numbers are parameters. Joints may
-/// [follow others](crate::planar::Couplings), where something is held or closed, too.
+/// [follow others](crate::planar::Couplings), where something is held or closed, too, but not beside a hinge with linear springs along fixed axes there.
 ///
 /// Joints with modes, [`Coulomb`](crate::planar::Coulomb) and [`HardStops`](crate::planar::HardStops), change these at times that hang on everything:
 /// such runs are made by [`course`](Self::course), by explicit rules, and their gradients by [`gradient_past`](Self::gradient_past); torques are held

@@ -12,6 +12,7 @@ use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::sensitivity::Gradient;
 use crate::shape::PerJoint;
+use crate::space::FrameOf;
 use crate::system::{Elements, MotionOf, PositionOf, RateOf};
 use crate::walks::{copy::copy, swept::swept, unspread};
 use num_traits::{One, Zero};
@@ -63,11 +64,23 @@ where
     }
 
     /// Takes Cᵀν from the costates of the accelerations of a stage, which then move no coupling; gives −ν.
-    pub(super) fn untie(&mut self, stage: &StageOf<S, R, C, P, L>) -> <L::Ties as Ties<S>>::Each<S::Scalar> {
+    #[allow(clippy::type_complexity)] // two in one argument
+    pub(super) fn untie(
+        &mut self,
+        start: Option<&MotionOf<S, R, C, P>>,
+        frame: &FrameOf<S>,
+        known: (&StageOf<S, R, C, P, L>, &RateOf<S, R, C>),
+    ) -> Option<<L::Ties as Ties<S>>::Each<S::Scalar>> {
+        let (mut efforts, mut response) = self.tying.take()?;
+        response.set(&self.of_acceleration);
+        self.aside((&mut efforts, &mut response), |steps| {
+            steps.stir(start, frame, known);
+        });
         let ties = self.loads.law.ties();
-        let minus_weights = ties.minus_weights(&stage.responses, &self.of_acceleration);
+        let minus_weights = ties.balanced(&known.0.responses, &response);
         ties.add_rows(&minus_weights, &mut self.of_acceleration);
-        minus_weights
+        self.tying = Some((efforts, response));
+        Some(minus_weights)
     }
 
     /// Solves for other costates than those that wait, of torques and of accelerations.

@@ -5,6 +5,7 @@ mod changes_of_mode;
 mod coupled_closed;
 mod dense;
 mod drag;
+mod force_elements;
 mod front;
 mod front_edges;
 #[macro_use]

@@ -22,7 +22,7 @@ use crate::mechanics::planar::{
 };
 use crate::relation::planar::algebra::{add_scaled, dot, normal, plus_dot};
 use crate::relation::{Additive, Closures};
-use crate::scalar::{Elementary, Jet, Scalar};
+use crate::scalar::{Jet, Scalar};
 use crate::shape::{Of, Takes};
 use crate::walks::{Burden, LAW, PullLoads};
 use core::ops::Add;
@@ -33,9 +33,9 @@ const MOTION: usize = 6;
 /// The numbers of a body that loads read: outboard end, mass, mass centre and moment of inertia about it, body axes.
 pub(crate) const BODY: usize = 6;
 /// What a load may read.
-const READ: usize = MOTION + BODY + LAW;
+pub(super) const READ: usize = MOTION + BODY + LAW;
 /// A number with derivatives by all that.
-type Read<T> = Jet<T, READ>;
+pub(super) type Read<T> = Jet<T, READ>;
 
 /// Costates of a station, by what loads outboard of it read.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -73,6 +73,60 @@ pub(crate) fn numbers<T: Scalar>(body: &impl Body<T>) -> [T; BODY] {
     [x, y, mass, a, b, about_centre]
 }
 
+/// The motion of a body, by what loads read of it.
+pub(super) fn read<T: Scalar>(frame: &Frame<T>, numbers: [T; BODY]) -> BodyMotion<Read<T>> {
+    let at = |v: Vector2<T>, first: usize| Vector2::new(Read::seed(v.x, first), Read::seed(v.y, first + 1));
+    let turn = Turn { angle: Read::seed(frame.turn.angle, 4), rate: Read::seed(frame.turn.rate, 5) };
+    let [x, y, mass, a, b, about_centre] = core::array::from_fn(|k| Read::seed(numbers[k], MOTION + k));
+    let inertia = Inertia { mass, centre: [a, b], about_centre };
+    moved([at(frame.place, 0), at(frame.velocity, 2)], turn, [x, y], inertia)
+}
+
+/// A motion of a body without derivatives.
+pub(super) fn still<T: Scalar>(motion: &BodyMotion<T>) -> BodyMotion<Read<T>> {
+    let (Frame { place, velocity, turn, .. }, of) = (motion.inboard, |v: Vector2<T>| v.map(Read::of));
+    let turn = Turn { angle: Read::of(turn.angle), rate: Read::of(turn.rate) };
+    let inertia = motion.inertia.lift(&mut Read::of);
+    let still = moved([of(place), of(velocity)], turn, [Read::of(T::zero()); 2], inertia);
+    BodyMotion { arm: of(motion.arm), ..still }
+}
+
+/// The motion of a body whose outboard end is there, body axes.
+fn moved<T: Scalar>(
+    [place, velocity]: [Vector2<T>; 2],
+    turn: Turn<T>,
+    outboard: [T; 2],
+    inertia: Inertia<T>,
+) -> BodyMotion<T> {
+    let acceleration = Acceleration { linear: Vector2::null(), angular: Additive::null() };
+    let inboard = Frame { place, velocity, acceleration, turn };
+    let ((sine, cosine), none) = (turn.angle.sin_cos(), Vector2::null());
+    let motion = BodyMotion { inboard, arm: none, to_centre: none, direction: Vector2::new(cosine, sine), inertia };
+    BodyMotion { arm: motion.turned(outboard), to_centre: motion.turned(inertia.centre), ..motion }
+}
+
+/// What a load does over virtual velocities of the inboard end and of its body, by a seed.
+pub(super) fn slope<T: Scalar>((weight, stirring): (Vector2<T>, T), load: &Wrench<Read<T>>, k: usize) -> T {
+    let Wrench { force, torque } = load;
+    weight.x.mul_add(force.x.eps[k], weight.y.mul_add(force.y.eps[k], stirring * torque.eps[k]))
+}
+
+/// A load without derivatives.
+pub(super) fn value<T: Scalar>(load: &Wrench<Read<T>>) -> Wrench<T> {
+    Wrench { force: load.force.map(|x| x.re), torque: load.torque.re }
+}
+
+/// Adds to costates of the numbers of a body.
+pub(super) fn add_numbers<T: Scalar>(sums: &mut [T; BODY], slope: impl Fn(usize) -> T) {
+    sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
+}
+
+/// What is carried inward where all that is done by loads has such slopes, and this one is the body's own.
+pub(super) fn felt_by<T: Scalar>(slope: impl Fn(usize) -> T, own: Wrench<T>, _: &Frame<T>, _: T) -> Felt<T> {
+    let two = |first: usize| Vector2::new(slope(first), slope(first + 1));
+    Felt { place: two(0), velocity: two(2), stirring: own.force, turn: [slope(4), slope(5)] }
+}
+
 impl<T, L> ReversibleLoads<Planar<T>> for L
 where
     T: Scalar,
@@ -87,25 +141,12 @@ where
         sums: &mut [T; BODY],
     ) -> Felt<T> {
         let (law, count) = seeded(&walk.law, MOTION + BODY);
-        let at = |v: Vector2<T>, first: usize| Vector2::new(Read::seed(v.x, first), Read::seed(v.y, first + 1));
-        let turn = Turn { angle: Read::seed(frame.turn.angle, 4), rate: Read::seed(frame.turn.rate, 5) };
-        let acceleration = Acceleration { linear: Vector2::null(), angular: Additive::null() };
-        let inboard = Frame { place: at(frame.place, 0), velocity: at(frame.velocity, 2), acceleration, turn };
-        let [x, y, mass, a, b, about_centre]: [Read<T>; BODY] =
-            core::array::from_fn(|k| Read::seed(numbers[k], MOTION + k));
-        let (sine, cosine) = turn.angle.sin_cos();
-        let inertia = Inertia { mass, centre: [a, b], about_centre };
-        let none = Vector2::null();
-        let motion = BodyMotion { inboard, arm: none, to_centre: none, direction: Vector2::new(cosine, sine), inertia };
-        let motion = BodyMotion { arm: motion.turned([x, y]), to_centre: motion.turned([a, b]), ..motion };
-        let Wrench { force, torque } = law.at(walk.time, walk.body, &motion).wrench();
-        let slope =
-            |k: usize| weight.x.mul_add(force.x.eps[k], weight.y.mul_add(force.y.eps[k], stirring * torque.eps[k]));
-        sums.iter_mut().zip(MOTION..).for_each(|(sum, k)| *sum += slope(k));
+        let load = law.at(walk.time, walk.body, &read(frame, numbers)).wrench();
+        let slope = |k: usize| slope((weight, stirring), &load, k);
+        add_numbers(sums, slope);
         walk.of_law.1 = count;
         walk.of_law.0.iter_mut().zip(MOTION + BODY..).for_each(|(sum, k)| *sum += slope(k));
-        let two = |first: usize| Vector2::new(slope(first), slope(first + 1));
-        Felt { place: two(0), velocity: two(2), stirring: force.map(|x| x.re), turn: [slope(4), slope(5)] }
+        felt_by(slope, value(&load), frame, stirring)
     }
 }
 

@@ -3,6 +3,7 @@
 mod bodies;
 mod driven;
 mod ends;
+mod forces;
 mod guarded;
 mod hinge_axes;
 mod joints;

@@ -8,6 +8,7 @@ mod elastic_ball;
 mod ends;
 mod felt;
 mod floating;
+mod forces;
 pub(crate) mod guarded;
 mod inertial;
 mod linear_hinge;

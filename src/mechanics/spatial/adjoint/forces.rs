@@ -1,0 +1,20 @@
+//! The costate sweep in space: force elements.
+
+use super::felt::Felt;
+use super::read::{BODY, READ, Read, add_numbers, felt_by, read, slope, still, value};
+use crate::adjoint::forces::{FORCE, OfForce, force_elements, seeded_from};
+use crate::adjoint::laws::count;
+use crate::adjoint::{ActsOnBodies, BodyLaw, OfLaw, ReversibleLoads};
+use crate::error::Fault;
+use crate::lift::Lift;
+use crate::loading::{ForceElement, ForceLaw, Load, LoadLaw, Loading, Loads};
+use crate::mechanics::spatial::{BodyMotion, Frame, JointMotion, Spatial, Wrench};
+use crate::relation::{Absent, Additive};
+use crate::scalar::{Jet, Scalar};
+use crate::walks::pull_loads::PullLoads;
+use nalgebra::Vector3;
+
+type Vector<T> = Vector3<T>;
+type Angular<T> = Vector3<T>;
+
+force_elements!(Spatial);
