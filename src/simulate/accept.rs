@@ -73,6 +73,10 @@ where
                 return Err(self.given_up(error, tolerance));
             }
             let mut outcome = self.stepper.advance(&self.past, self.plan.loads, size, &mut self.next);
+            let (size, last) = match self.plan.rule.control {
+                Control::Tolerance(_) if outcome.is_ok() => self.made(size, last),
+                _ => (size, last),
+            };
             let mut taken = Taken { size, last, cut: None, kink: false, switches: false };
             if const { Self::KINKS > 0 } && outcome.is_ok() {
                 outcome = self.end_at_kink(&mut taken);
@@ -114,6 +118,13 @@ where
             self.progress.size = cut.unwrap_or(size * factor);
             return Ok(taken);
         }
+    }
+
+    /// The size (s) of the step that was made and whether it ends the run: a method may have ended it early.
+    fn made(&self, size: RealOf<S>, last: bool) -> (RealOf<S>, bool) {
+        let made = self.next.time - self.past.time;
+        let early = made > RealOf::<S>::zero() && made < size * RealOf::<S>::of(0.5);
+        if early { (made, false) } else { (size, last) }
     }
 
     /// A first step from the size of motion and accelerations (Hairer, Nørsett, Wanner, II.4, without its trial step).

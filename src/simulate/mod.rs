@@ -38,8 +38,8 @@ pub use crate::observers::EnergyDrift;
 pub use crate::observers::Trace;
 pub use crate::stepper::{
     AdamsMemory, AdamsStepper, AutoMemory, AutoStepper, Chosen, ExplicitStepper, ImplicitMemory, ImplicitStepper,
-    Method, MoreauJeanStepper, MotionIn, SdirkStepper, Stepper, StepperOf, TaylorStepper, TimeIn, VcabmMemory,
-    VcabmStepper,
+    Method, MoreauJeanStepper, MotionIn, SdirkStepper, Stepper, StepperOf, TaylorMemory, TaylorStepper, TimeIn,
+    VcabmMemory, VcabmStepper,
 };
 pub use drive::Running;
 #[cfg(feature = "rayon")]

@@ -5,7 +5,7 @@ mod race;
 mod single;
 mod stiffness;
 
-use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TimeIn, VcabmStepper};
+use super::{ExplicitStepper, Method, MotionIn, SdirkStepper, Stepper, TaylorMemory, TimeIn, VcabmStepper};
 use crate::error::Error;
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
@@ -162,6 +162,9 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
             }
             let made = stepper.make(past, loads, dt, next);
             self.race.sweeps += chosen.work(stepper.sweeps() - before);
+            if made.is_ok() {
+                self.race.written.0 = Some(next.time); // it may have ended early
+            }
             made
         })
     }
@@ -245,7 +248,7 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
         self.single.sweeps() + self.multi.sweeps() + self.stiff.sweeps()
     }
 
-    /// The race, and what multistep and implicit methods carry.
+    /// The race, and what its methods carry.
     type Memory = AutoMemory<
         TimeIn<D, L>,
         <VcabmStepper<D, L> as Stepper<D, L>>::Memory,
@@ -253,7 +256,8 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
     >;
 
     fn memory(&self) -> Self::Memory {
-        AutoMemory { race: self.race, multi: self.multi.memory(), stiff: self.stiff.memory() }
+        let (single, multi, stiff) = (self.single.carried(), self.multi.memory(), self.stiff.memory());
+        AutoMemory { race: self.race, single, multi, stiff }
     }
 
     fn remembers(&self, memory: &Self::Memory, motion: &MotionIn<D, L>) -> bool {
@@ -264,6 +268,7 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
     fn restore(&mut self, memory: &Self::Memory) {
         (self.race, self.restored) = (memory.race, true);
         self.single.take(self.race.plain);
+        self.single.carry(&memory.single);
         self.multi.restore(&memory.multi);
         self.stiff.restore(&memory.stiff);
     }
@@ -278,6 +283,7 @@ impl<D: StiffDynamics<L> + Clone, L, K: Single<D, L>> Stepper<D, L> for AutoStep
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct AutoMemory<R, M, G> {
     race: Race<R>,
+    single: TaylorMemory<R>,
     multi: M,
     stiff: G,
 }

@@ -25,7 +25,7 @@ pub use explicit::ExplicitStepper;
 pub use implicit::{ImplicitMemory, ImplicitStepper};
 pub use moreau_jean::MoreauJeanStepper;
 pub use sdirk::SdirkStepper;
-pub use taylor::TaylorStepper;
+pub use taylor::{TaylorMemory, TaylorStepper};
 pub use vcabm::{VcabmMemory, VcabmStepper};
 
 /// The motion of a scene described by `D`.
@@ -212,7 +212,8 @@ pub trait Stepper<D: Dynamics<L>, L> {
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error>;
 
-    /// The size (s) of a step from `past` that errs by `tolerance`, of a method that knows before it steps; none of one that has to try.
+    /// The size (s) of a step from `past` that errs by `tolerance`, of a method that knows before it steps; none of one that has to try. A method that
+    /// finds in a step that it has to leave it to another one may end it before half its size, as the time of its end says.
     fn propose(&mut self, past: &MotionIn<D, L>, loads: &L, tolerance: TimeIn<D, L>) -> Option<TimeIn<D, L>> {
         let _ = (past, loads, tolerance);
         None

@@ -1,26 +1,37 @@
 //! Steps by Taylor series.
 
+mod bridge;
+mod lead;
 mod reach;
+mod shown;
 mod sums;
 
 use super::between::complete;
+use super::explicit::ExplicitStepper;
 use super::{Method, MotionIn, Stepper, TimeIn};
 use crate::element::{Element, Unloaded};
 use crate::ends::{ExpandTip, Resting};
 use crate::error::{Error, Fault};
-use crate::lift::Lift;
-use crate::mirror::{Position, Rate, Retraction};
+use crate::mirror::{Rate, Retraction};
 use crate::motion::Motion;
-use crate::scalar::{Powers, Real, Scalar};
+use crate::scalar::{Real, Scalar};
 use crate::series::{Expand, Expandable};
 use crate::system::{Elements, SeriesDynamics, System};
-use crate::time::Taylor;
-use num_traits::{One, Zero};
+use crate::time::{Dop853, Taylor};
+pub use bridge::TaylorMemory;
+use lead::NEAR;
+use num_traits::Zero;
 use reach::order_for;
 
 /// Steps by [`Taylor`].
 pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
-    scene: D,
+    /// Steps over places where closures depend on each other. It owns the scene, and room for readings within a step.
+    pub(super) stages: ExplicitStepper<D, L, Dop853>,
+    /// Whether stages made the last step, and where they make the next ones.
+    led: bool,
+    /// Whether the last step by them was made in two.
+    divided: bool,
+    memory: TaylorMemory<TimeIn<D, L>>,
     series: D::Series,
     /// Motion at which the series was expanded.
     origin: MotionIn<D, L>,
@@ -43,8 +54,6 @@ pub struct TaylorStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
     zero: D::Rate,
     /// Room for sums.
     sums: (D::Rate, D::Rate, D::Rate),
-    /// For readings within a step.
-    workspace: D::Workspace,
     sweeps: usize,
 }
 
@@ -56,13 +65,15 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Method<D, L> for Taylor<P> {
         let still = scene.still();
         TaylorStepper {
             series: scene.series(),
-            workspace: scene.workspace(),
             accelerations: core::array::from_fn(|_| still.rate.clone()),
             zero: still.rate.clone(),
             sums: (still.rate.clone(), still.rate.clone(), still.rate.clone()),
             origin: still.clone(),
             ahead: still,
-            scene,
+            stages: Dop853.stepper(scene),
+            led: false,
+            divided: false,
+            memory: TaylorMemory::new(),
             expanded: false,
             reached: None,
             begun: false,
@@ -99,68 +110,11 @@ impl<const P: usize> Taylor<P> {
 }
 
 impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
-    /// Shows coefficient number `k` of each acceleration in the last step, root to tip: that of the power k of the time (s) since its
-    /// start, from 0 to one less than the order.
-    pub fn coefficients(&self, k: usize, mut each: impl FnMut(D::Scalar)) {
-        if let Some(accelerations) = self.accelerations[..self.order].get(k) {
-            accelerations.visit(&mut each);
-        }
-    }
-
-    /// The motion of the last step as power series of the time (s) since its start: positions and rates, and with accelerations that a sweep finds all
-    /// that can be read of it, joint forces among them. Of a scene over such numbers, and under loads over them: efforts that are functions of time
-    /// are values of [`Powers::variable`] there.
-    ///
-    /// ```
-    /// use catena::planar::*;
-    /// use catena::scalar::{Powers, Scalar};
-    /// use catena::simulate::Stepper;
-    /// let rod = Rod::uniform(1.0, 1.0);
-    /// let pendulum = System::new(Pinned::origin(), (rod, Pin, rod), Free)?.with_gravity(9.81);
-    /// let (mut stepper, start) = (pendulum.stepper(Taylor::<12>), pendulum.at_rest(&[0.0, 0.0])?);
-    /// let mut end = start;
-    /// stepper.step(&start, &Unloaded, 0.02, &mut end)?;
-    /// let scene = pendulum.lift(Powers::<f64, 12>::constant);
-    /// let motion = scene.with_accelerations(stepper.motion_series(), &Unloaded)?;
-    /// // The force in the second pin (N, along y), at its start and 0.02 s later.
-    /// let series = scene.stations(&motion, &Unloaded)?.get(1).map(|station| station.internal.force.y.terms()).unwrap();
-    /// let later = pendulum.stations(&end, &Unloaded)?.get(1).map(|station| station.internal.force.y).unwrap();
-    /// let sum = series.iter().rev().fold(0.0, |sum, term| sum * 0.02 + term);
-    /// assert!((sum - later).abs() < 1e-9);
-    /// # Ok::<(), catena::Error>(())
-    /// ```
-    pub fn motion_series<V>(&self) -> Motion<Powers<D::Scalar, P>, V, D::Closures>
-    where
-        D::Position: Lift<D::Scalar, Powers<D::Scalar, P>, Over = V>,
-        D::Rate: Lift<D::Scalar, Powers<D::Scalar, P>, Over = V::Rate>,
-        V: Position<Powers<D::Scalar, P>>,
-    {
-        let mut motion = self.origin.lift(Powers::of);
-        let (time, one) = (Powers::variable(Zero::zero(), P), TimeIn::<D, L>::one());
-        let (mut power, mut displacement) = (time, motion.rate.clone());
-        displacement.replace(&mut |rate| rate * time);
-        for (k, coefficient) in self.accelerations[..self.order].iter().enumerate() {
-            let mut term = coefficient.lift(&mut Powers::of);
-            let share = |k: usize| one / TimeIn::<D, L>::of(k as f64);
-            term.replace(&mut |x| (x * power).scale(share(k + 1)));
-            motion.rate.add(&term);
-            term.replace(&mut |x| (x * time).scale(share(k + 2)));
-            displacement.add(&term);
-            power *= time;
-        }
-        let before = motion.position.clone();
-        motion.position.displace(&displacement);
-        if V::CURVED {
-            motion.position.retract_rate(&before, &mut motion.rate);
-        }
-        motion
-    }
-
     /// Begins the series at the motion ahead.
     fn open(&mut self, loads: &L) {
         let Motion { time, position, rate, acceleration, multipliers } = &mut self.ahead;
         let (motion, series) = ((&*position, &*rate), &mut self.series);
-        *multipliers = self.scene.begin(*time, motion, loads, self.order, series, acceleration);
+        *multipliers = self.stages.scene.begin(*time, motion, loads, self.order, series, acceleration);
         (self.begun, self.known) = (true, *time);
     }
 
@@ -168,7 +122,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
     fn expand(&mut self, past: &MotionIn<D, L>, loads: &L) -> Result<(), Error> {
         if D::LOADED
             && (self.begun || self.expanded)
-            && !self.scene.agrees(self.known, loads, self.order, &mut self.series)
+            && !self.stages.scene.agrees(self.known, loads, self.order, &mut self.series)
         {
             (self.begun, self.expanded) = (false, false);
         }
@@ -185,7 +139,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> TaylorStepper<D, L, P> {
         core::mem::swap(&mut self.origin, &mut self.ahead);
         if let Some((first, others)) = self.accelerations[..self.order].split_first_mut() {
             first.set(&self.origin.acceleration);
-            if !self.scene.expand(self.known, loads, &mut self.series, others) {
+            if !self.stages.scene.expand(self.known, loads, &mut self.series, others) {
                 (self.begun, self.expanded) = (false, false);
                 return Err(Error::new(Fault::NonFiniteLoad).at_time(self.known.as_f64()));
             }
@@ -203,7 +157,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
     const PLANS: bool = true;
 
     fn admit(&self, past: &MotionIn<D, L>, loads: &L, _: TimeIn<D, L>, next: &MotionIn<D, L>) -> Result<(), Error> {
-        self.scene.admits(loads)?;
+        self.stages.scene.admits(loads)?;
         if past.fits(&self.ahead) && past.fits(next) { Ok(()) } else { Err(Error::new(Fault::Shape)) }
     }
 
@@ -215,27 +169,28 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         next: &mut MotionIn<D, L>,
     ) -> Result<(), Error> {
         self.expand(past, loads)?;
+        self.led = D::CLOSED && self.memory.leads(past.time);
+        if self.led {
+            return self.lead(past, loads, dt, next);
+        }
         if D::Position::CURVED && self.turned(dt.abs()) >= TimeIn::<D, L>::of(2.0) {
             // Coordinates of the step would stand for another attitude.
             return Err(Error::new(Fault::NonFiniteMotion).at_time((past.time + dt).as_f64()));
         }
         next.time = past.time + dt;
         self.sum(dt, next);
-        if D::CLOSED {
-            // Closed through gains of its own, as between steps.
-            let Motion { time, position, rate, acceleration, .. } = &mut *next;
-            self.scene.accelerations(*time, position, rate, loads, &mut self.workspace, acceleration);
-            self.scene.project(next, loads, &mut self.workspace);
-            self.sweeps += 1;
+        if D::CLOSED && !self.close(past, loads, next) {
+            self.led = true;
+            return self.take_over(past, loads, dt, next);
         }
         self.ahead.copy_state(next);
         self.open(loads);
         next.acceleration.set(&self.ahead.acceleration);
         next.multipliers = self.ahead.multipliers;
-        match self.scene.accept(next) {
+        match self.stages.scene.accept(next) {
             Err(error) if matches!(error.fault, Fault::NonFiniteMotion) => {
                 // Of a step that was too long the motion before it has nothing to say.
-                let found = self.scene.diagnose(past, loads, &mut self.workspace);
+                let found = self.stages.scene.diagnose(past, loads, &mut self.stages.workspace);
                 Err(if matches!(found.fault, Fault::NonFiniteMotion) { error } else { found })
             }
             outcome => outcome,
@@ -250,22 +205,29 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
                 (self.order, self.begun, self.expanded) = (order, false, false);
             }
         }
+        if D::CLOSED && self.memory.leads(past.time) {
+            return None; // stages try how far they come
+        }
         self.expand(past, loads).ok()?;
-        Some(self.reach(tolerance))
+        let reach = self.reach(tolerance);
+        Some(if D::CLOSED { self.beyond(past, reach, tolerance) } else { reach })
     }
 
     fn error(
         &mut self,
-        _: &MotionIn<D, L>,
+        past: &MotionIn<D, L>,
         dt: TimeIn<D, L>,
-        _: &MotionIn<D, L>,
+        next: &MotionIn<D, L>,
         tolerance: TimeIn<D, L>,
     ) -> Option<TimeIn<D, L>> {
+        if self.led {
+            return self.stages.error(past, dt, next, tolerance);
+        }
         Some((dt / self.reach(tolerance)).powi(self.order as i32))
     }
 
     fn error_order(&self) -> usize {
-        self.order
+        if self.led { self.stages.error_order() } else { self.order }
     }
 
     fn interpolate(
@@ -273,28 +235,42 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         past: &MotionIn<D, L>,
         loads: &L,
         dt: TimeIn<D, L>,
-        _: &MotionIn<D, L>,
+        next: &MotionIn<D, L>,
         theta: f64,
         between: &mut MotionIn<D, L>,
     ) {
+        if self.led && !self.divided {
+            return self.stages.interpolate(past, loads, dt, next, theta, between);
+        }
+        if self.led {
+            // A step from the start knows no place where another one was divided.
+            self.stages.begin(past, loads);
+            let _ = self.stages.make(past, loads, dt * TimeIn::<D, L>::of(theta), between);
+            return;
+        }
         let time = TimeIn::<D, L>::of(theta) * dt;
         between.time = past.time + time;
         self.sum(time, between);
-        self.sweeps += complete(&self.scene, between, loads, &mut self.workspace);
+        self.sweeps += complete(&self.stages.scene, between, loads, &mut self.stages.workspace);
     }
 
     fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
-        self.scene.independent(next, &self.workspace, least, &mut |_, _| ()).is_ok()
+        // What is held at the end of a step is known there.
+        (least <= NEAR && self.memory.holds(next.time)) || self.stages.firm(next, least)
     }
 
     fn sweeps(&self) -> usize {
-        self.sweeps
+        self.sweeps + self.stages.sweeps
     }
 
-    /// Nothing: a series is found from its motion alone.
-    type Memory = ();
+    /// Where another rule leads. A series is found from its motion alone.
+    type Memory = TaylorMemory<TimeIn<D, L>>;
 
-    fn memory(&self) {}
+    fn memory(&self) -> Self::Memory {
+        self.memory
+    }
 
-    fn restore(&mut self, (): &()) {}
+    fn restore(&mut self, memory: &Self::Memory) {
+        self.memory = *memory;
+    }
 }

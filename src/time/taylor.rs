@@ -30,6 +30,9 @@ use super::{Control, Rule};
 /// end: a fast top takes some four steps a turn. One of a given size that may turn farther, by the sum of the sizes of all terms (from 100° of
 /// a steady turn on), is refused as not finite.
 ///
+/// Where closures come to depend on each other (dead points) series lose what stages keep: steps over such places are made by those of
+/// [`Dop853`](super::Dop853), of the same size where it is given. One that they cannot make is refused by the name of a closure.
+///
 /// Orders within three of these cost a tenth more time at most; 12 instead of 24 at 1e-13 costs 60 %. Steps of a given size that are longer
 /// than the series reaches diverge.
 ///

@@ -3,7 +3,7 @@
 use super::Chosen;
 use super::single::Single;
 use crate::error::Error;
-use crate::stepper::{ExplicitStepper, Method, MotionIn, Stepper, TaylorStepper, TimeIn};
+use crate::stepper::{ExplicitStepper, Method, MotionIn, Stepper, TaylorMemory, TaylorStepper, TimeIn};
 use crate::system::SeriesDynamics;
 use crate::time::{Dop853, Taylor};
 
@@ -13,15 +13,14 @@ const COARSE: f64 = 1e-10;
 
 /// Steps by [`Dop853`] or by series of orders up to `P`: by the latter, but under efforts that are functions of time at coarse tolerances.
 pub struct PairStepper<D: SeriesDynamics<L, P>, L, const P: usize> {
-    stages: ExplicitStepper<D, L, Dop853>,
     series: TaylorStepper<D, L, P>,
     staged: bool,
 }
 
-impl<D: SeriesDynamics<L, P> + Clone, L, const P: usize> PairStepper<D, L, P> {
+impl<D: SeriesDynamics<L, P>, L, const P: usize> PairStepper<D, L, P> {
     /// A stepper for a scene.
     pub(super) fn of(scene: D) -> Self {
-        Self { stages: Dop853.stepper(scene.clone()), series: Taylor.stepper(scene), staged: false }
+        Self { series: Taylor.stepper(scene), staged: false }
     }
 }
 
@@ -29,7 +28,7 @@ impl<D: SeriesDynamics<L, P> + Clone, L, const P: usize> PairStepper<D, L, P> {
 macro_rules! of {
     ($self:ident, |$stepper:ident| $call:expr) => {
         if $self.staged {
-            let $stepper = &mut $self.stages;
+            let $stepper = &mut $self.series.stages;
             $call
         } else {
             let $stepper = &mut $self.series;
@@ -72,10 +71,10 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for PairStepper<D
         of!(self, |stepper| stepper.error(past, dt, next, tolerance))
     }
     fn error_order(&self) -> usize {
-        if self.staged { self.stages.error_order() } else { self.series.error_order() }
+        if self.staged { self.series.stages.error_order() } else { self.series.error_order() }
     }
     fn firm(&self, next: &MotionIn<D, L>, least: f64) -> bool {
-        if self.staged { self.stages.firm(next, least) } else { self.series.firm(next, least) }
+        if self.staged { self.series.stages.firm(next, least) } else { self.series.firm(next, least) }
     }
     fn interpolate(
         &mut self,
@@ -89,7 +88,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for PairStepper<D
         of!(self, |stepper| stepper.interpolate(past, loads, dt, next, theta, between));
     }
     fn sweeps(&self) -> usize {
-        self.stages.sweeps() + self.series.sweeps()
+        self.series.sweeps()
     }
 
     type Memory = ();
@@ -112,6 +111,12 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Single<D, L> for PairStepper<D,
     }
     fn makes(chosen: Chosen) -> bool {
         chosen == Chosen::Taylor || ((D::OVER_TIME || !D::LINEAR) && chosen == Chosen::Dop853)
+    }
+    fn carried(&self) -> TaylorMemory<TimeIn<D, L>> {
+        self.series.memory()
+    }
+    fn carry(&mut self, memory: &TaylorMemory<TimeIn<D, L>>) {
+        self.series.restore(memory);
     }
     fn take(&mut self, chosen: Chosen) {
         self.staged = chosen == Chosen::Dop853;

@@ -3,7 +3,7 @@
 use super::Chosen;
 use crate::mirror::{Position, Rate, Retraction};
 use crate::scalar::{Elementary, Real, Scalar};
-use crate::stepper::{ExplicitStepper, MotionIn, Stepper, TaylorStepper, TimeIn};
+use crate::stepper::{ExplicitStepper, MotionIn, Stepper, TaylorMemory, TaylorStepper, TimeIn};
 use crate::system::{Dynamics, SeriesDynamics};
 use crate::time::Dop853;
 
@@ -29,6 +29,16 @@ pub trait Single<D: Dynamics<L>, L>: Stepper<D, L> {
     /// Takes the method of a name, where there are several.
     fn take(&mut self, chosen: Chosen) {
         let _ = chosen;
+    }
+
+    /// Memory of a method of series, from step to step.
+    fn carried(&self) -> TaylorMemory<TimeIn<D, L>> {
+        TaylorMemory::new()
+    }
+
+    /// Goes on from that.
+    fn carry(&mut self, memory: &TaylorMemory<TimeIn<D, L>>) {
+        let _ = memory;
     }
 
     /// Whether a multistep method is quicker for so many coordinates, at a tolerance if there is one.

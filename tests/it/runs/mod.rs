@@ -3,6 +3,7 @@
 mod adams;
 mod auto;
 mod by_series;
+mod change_points;
 mod double_pendulum;
 mod driven_sliders;
 mod endless_runs;
