@@ -11,7 +11,7 @@ use crate::motion::Motion;
 use crate::names::Which;
 use crate::relation::Closures;
 use crate::scalar::{Elementary, Real, Scalar};
-use num_traits::One;
+use num_traits::{One, Zero};
 
 /// What of both numbers that a coupling ties must be left for it to say something.
 const LEAST: f64 = 1e-10;
@@ -81,7 +81,7 @@ struct Tie<T: Scalar> {
     offset: T,
     /// An effort (N·m, N) by which the follower accelerates by about one more than the leader asks of it.
     inertia: T::Real,
-    /// A change of what it accelerates more by a unit of effort that is rounding.
+    /// What it accelerates more by a unit of effort where that is rounding: where closures hold both joints.
     rounding: T::Real,
 }
 
@@ -91,11 +91,15 @@ impl<T: Scalar> Tie<T> {
         follower - self.ratio * leader
     }
 
+    /// The size of both numbers, as a follower has them.
+    fn reach(&self, [follower, leader]: [T; 2]) -> T::Real {
+        follower.real().abs() + (self.ratio * leader).real().abs()
+    }
+
     /// How far both numbers, as a force of a size moves them, must miss the ratio to say anything: less is rounding, where the one follows from the
     /// other anyhow, or closures hold both.
-    fn least(&self, [follower, leader]: [T; 2], size: T::Real) -> T::Real {
-        let moved = (follower.real().abs() + (self.ratio * leader).real().abs()) * T::Real::of(LEAST);
-        moved.max(size * self.rounding)
+    fn least(&self, moved: [T; 2], size: T::Real) -> T::Real {
+        (self.reach(moved) * T::Real::of(LEAST)).max(size * self.rounding)
     }
 }
 
@@ -207,6 +211,17 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
         let columns = responses.map(|pairs| [self.missing(pairs).map(|missed| [missed])]);
         let least = |k: usize| self.ties[k].least(responses[k][k], sizes[k]);
         balanced(columns, least, missed.map(|missed| [-missed])).map(|[share]| share)
+    }
+
+    /// Those that undo what accelerations without miss. What misses much, more than rounding leaves where closures hold it, is moved however little a force
+    /// does there, as against stiff springs by implicit rules.
+    fn balanced_at(&self, responses: &[[[T; 2]; K]; K], sizes: [T::Real; K], free: [[T; 2]; K]) -> [T; K] {
+        let (missed, small) = (self.missing(free), Elementary::sqrt(Elementary::sqrt(T::Real::EPSILON)));
+        let sizes = core::array::from_fn(|k| {
+            let held = missed[k].real().abs() <= self.ties[k].reach(free[k]) * small;
+            if held { sizes[k] } else { Zero::zero() }
+        });
+        self.balanced_by(responses, sizes, missed)
     }
 
     /// Positions of followers and leaders.

@@ -13,7 +13,7 @@ use crate::space::FrameOf;
 use crate::transfer::FromEfforts;
 use crate::visit::Level;
 use crate::walks::pull_loads::PullLoads;
-use num_traits::Zero;
+use num_traits::{One, Zero};
 
 impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
     type Each<X: Clone> = [X; K];
@@ -32,7 +32,8 @@ impl<S: FromEfforts, const K: usize> Ties<S> for Couplings<S::Scalar, K> {
         }
     }
     fn balanced<V: Rate<S::Scalar>>(&self, responses: &[V; K], free: &V) -> [S::Scalar; K] {
-        self.solved(responses, self.missed(free))
+        let pairs = responses.each_ref().map(|response| self.rates(response));
+        self.balanced_at(&pairs, [One::one(); K], self.rates(free))
     }
     fn minus_weights<V: Rate<S::Scalar>>(&self, responses: &[V; K], costates: &V) -> [S::Scalar; K] {
         let along = responses.each_ref().map(|response| {

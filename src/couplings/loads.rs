@@ -151,7 +151,7 @@ where
             return sweep(self, false, acceleration);
         }
         let Answers { free, missed, sizes, responses, pairs } = self.answers(acceleration, &mut sweep);
-        let shares = self.balanced_by(&pairs, sizes, missed);
+        let shares = self.balanced_at(&pairs, sizes, self.rates(&free));
         if let Some(kept) = kept {
             let kept = kept.insert(responses.clone());
             for (response, size) in kept.iter_mut().zip(sizes) {

@@ -17,6 +17,28 @@ use crate::visit::Watch;
 use crate::walks::travel::show;
 use num_traits::{One, Zero};
 
+impl<T: Scalar> Tie<T> {
+    /// Knows what is rounding where closures hold both joints, half of the digits of what is left elsewhere: of what a unit of effort does here, if closures
+    /// do not hold them here, or of what it does by the inertia that the joints carry where nothing is closed.
+    fn know_closed(&mut self, carried: [T::Real; 2], measured: bool) {
+        let (small, [follower, leader]) = (T::Real::EPSILON.sqrt(), carried.map(T::Real::recip));
+        let leader = (self.ratio * self.ratio).real() * leader;
+        // A joint that carries next to nothing says nothing.
+        let open = match (follower * T::Real::EPSILON > leader, leader * T::Real::EPSILON > follower) {
+            (true, _) => leader,
+            (_, true) => follower,
+            _ => follower + leader,
+        };
+        let left = self.inertia.recip();
+        if measured && left >= open * small {
+            self.rounding = left * small;
+        } else if open.is_finite() {
+            self.rounding = open * small;
+            self.inertia = self.rounding.recip();
+        }
+    }
+}
+
 impl<T: Scalar, const K: usize> Couplings<T, K> {
     /// Couplings of the joints of a scene, and no other loads.
     ///
@@ -70,29 +92,33 @@ impl<T: Scalar, const K: usize> Couplings<T, K> {
     {
         scene.admits(self)?;
         let (still, mut workspace) = (moving(scene), scene.workspace());
-        for tie in &mut self.ties {
-            let [follower, leader] = tie.rates.map(|number| carried(scene, &still, number).recip());
-            // By so much more the follower accelerates at least by a unit of effort, where nothing is closed; where closures hold both joints half
-            // of its digits are left at most. Of a joint that carries no inertia there nothing is known.
-            let rounding = (follower + (tie.ratio * tie.ratio).real() * leader) * T::Real::EPSILON.sqrt();
-            tie.rounding = if rounding.is_finite() { rounding } else { T::Real::zero() };
-        }
         let (mut free, mut moved) = (still.rate.clone(), still.rate.clone());
         let Motion { time, position, rate, .. } = &still;
-        if scene.accelerate(&mut still.clone(), &self.pulling([T::zero(); K]), &mut workspace).is_err() {
-            return Ok(()); // where closures do not hold a scene it says nothing of itself
-        }
-        scene.accelerations(*time, position, rate, &self.pulling([T::zero(); K]), &mut workspace, &mut free);
+        // Where closures do not hold a scene it says nothing of itself.
+        let measured = scene.accelerate(&mut still.clone(), &self.pulling([T::zero(); K]), &mut workspace).is_ok();
         let mut inertias = [T::Real::one(); K];
-        for (k, inertia) in inertias.iter_mut().enumerate() {
-            scene.accelerations(*time, position, rate, &self.pulling(unit(k, T::one())), &mut workspace, &mut moved);
-            let [free, moved] = [&free, &moved].map(|rate| self.missed(rate)[k].real());
-            let found = (moved - free).abs().max(self.ties[k].rounding).recip();
-            // Of a joint that does not move there nothing is known.
-            *inertia = if found.is_finite() { found } else { T::Real::one() };
+        if measured {
+            scene.accelerations(*time, position, rate, &self.pulling([T::zero(); K]), &mut workspace, &mut free);
+            for (k, inertia) in inertias.iter_mut().enumerate() {
+                scene.accelerations(
+                    *time,
+                    position,
+                    rate,
+                    &self.pulling(unit(k, T::one())),
+                    &mut workspace,
+                    &mut moved,
+                );
+                let [free, moved] = [&free, &moved].map(|rate| self.missed(rate)[k].real());
+                let found = (moved - free).abs().recip();
+                // Of a joint that does not move there nothing is known.
+                *inertia = if found.is_finite() { found } else { T::Real::one() };
+            }
         }
         for (tie, inertia) in self.ties.iter_mut().zip(inertias) {
             tie.inertia = inertia;
+            if const { System::<S, R, C, P>::CLOSED > 0 } {
+                tie.know_closed(tie.rates.map(|number| carried(scene, &still, number)), measured);
+            }
         }
         Ok(())
     }

@@ -140,7 +140,7 @@ pub trait Loading<S: Space> {
 
 /// Whether there are forces that hang on the accelerations that they cause.
 pub const fn couples<S: Space, L: Loading<S>>() -> bool {
-    size_of::<L::Responses<u8>>() > 0
+    size_of::<L::Responses<u8>>() > 1 // no list of none, either
 }
 
 /// How loads on bodies yield to the accelerations that they cause, as implicit sweeps see it.

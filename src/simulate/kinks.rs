@@ -113,7 +113,7 @@ where
         for number in 0..Self::KINKS {
             let [before, end] = [self.kink(number, Shown::Past)?, self.kink(number, Shown::Next)?];
             if before == 0.0 && end == 0.0 {
-                continue; // it is zero all along
+                continue; // it is zero all along, as far as one sees
             }
             let from = if begun {
                 departure([before, end], BEGUN * Self::nothing(), &mut |theta| self.kink_at(number, size, theta))?

@@ -176,7 +176,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         let mut run = self.running(start, end, observe, begun);
         match run.start() {
             Ok(()) => Ok(run),
-            Err(error) => Err(Interrupted { error, last: run.past }),
+            Err(error) => Err(Interrupted { error: run.jammed(error), last: run.past }),
         }
     }
 
@@ -208,7 +208,7 @@ impl<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L: Loading<S>, M, E> Si
         let mut run = self.running(saved.motion, end, observe, saved.progress);
         match run.take_up(&saved.memory, saved.caused.as_ref()) {
             Ok(()) => Ok(run),
-            Err(error) => Err(Interrupted { error, last: run.past }),
+            Err(error) => Err(Interrupted { error: run.jammed(error), last: run.past }),
         }
     }
 }

@@ -64,21 +64,24 @@ where
     #[cold]
     pub(super) fn jammed(&mut self, error: Error) -> Error {
         let Fault::RedundantClosures { .. } = error.fault else { return error };
-        let (mut loose, mut number) = (self.next.clone(), 0);
-        let mut held = None;
-        while let Some((mode, _, told)) = Self::joint(&mut loose, number) {
+        let (system, loads, mut number) = (self.plan.system, self.plan.loads, 0);
+        let moves = |mut loose: MotionOf<S, R, C, P>| {
+            system.accelerate(&mut loose, loads, &mut Dynamics::<L>::workspace(system)).is_ok()
+        };
+        while let Some((mode, _, told)) = Self::joint(&mut self.next, number) {
+            let mut loose = self.next.clone();
             if mode.is_locked() || touched(mode, &told).is_some() {
-                held = held.or(Some(number));
+                let (position, rate) = (&mut loose.position, &mut loose.rate);
+                with_joint(position, rate, &loose.acceleration, number, &mut |mode, _, told| {
+                    *mode = mode.moving(told.rubs)
+                });
+                if moves(loose) {
+                    return Error { fault: Fault::Jammed { joint: number }, place: None, ..error };
+                }
             }
             number += 1;
         }
-        let (system, loads) = (self.plan.system, self.plan.loads);
-        let_all_go(&mut loose.position, &mut loose.rate, &loose.acceleration);
-        let moves = system.accelerate(&mut loose, loads, &mut Dynamics::<L>::workspace(system)).is_ok();
-        match held {
-            Some(joint) if moves => Error { fault: Fault::Jammed { joint }, place: None, ..error },
-            _ => error,
-        }
+        error
     }
 
     /// The least margin of the joints at a motion, and which joint has it.
@@ -173,9 +176,12 @@ where
             let_all_go(&mut next.position, &mut next.rate, &next.acceleration);
             self.stands_between()?;
             let start = const { Self::DERIVED }.then(|| self.next.clone());
+            if let (Some(start), false) = (&start, kept) {
+                self.strikes_surely(start.clone(), false)?;
+            }
             self.strike()?;
-            if let Some(start) = start {
-                self.strikes_surely(start, kept)?;
+            if let (Some(start), true) = (start, kept) {
+                self.strikes_surely(start, true)?;
             }
         } else {
             self.settle_modes(None)?;

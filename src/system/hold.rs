@@ -122,10 +122,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     where
         Self: Runs<L, S, R, C, P>,
     {
-        self.accelerate(motion, loads, workspace)?;
         if Self::CLOSED == 0 {
-            return self.join(motion, loads, workspace);
+            self.join(motion, loads, workspace)?;
+            return self.accelerate(motion, loads, workspace);
         }
+        self.accelerate(motion, loads, workspace)?;
         let real = RealOf::<S>::of;
         let (small, tiny) = Self::tolerances();
         let mut last = RealOf::<S>::INFINITY;
@@ -151,7 +152,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             // Corrections fall until nothing but rounding is left of them. Not the first one, even if it is small: derivatives of
             // dual numbers follow real parts.
             if pass > 0 && (step <= tiny || (step <= small && step + step >= last)) {
-                return Ok(());
+                return self.joined(motion, loads);
             }
             last = step;
         }

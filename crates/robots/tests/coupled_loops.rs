@@ -300,12 +300,46 @@ fn gears_of_parallel_cranks_change_nothing() -> Result<(), Error> {
             near(geared.force.y, free.force.y, 1e-9 * (1.0 + free.force.norm()));
         }
     }
+    // Gears that would have them turn otherwise.
+    let against = Couplings::of(&scene, [Coupling::new("other", "crank").offset(0.1)])?;
+    let fault = scene.assembled(turned(1.0, 0.0)?, &against).map(|_| ()).map_err(|error| error.fault);
+    assert!(matches!(fault, Err(Fault::NotClosed { residual }) if residual > 0.05), "{fault:?}");
     let start = turned(1.0, 12.0)?;
     for tolerance in [1e-8, 1e-12] {
         let geared = scene.simulation(Dop853::tolerance(tolerance)).loads(&gears).run(start, 5.0, |_| ())?;
         let free = scene.simulate(start, Dop853::tolerance(tolerance), 5.0, |_| ())?;
         assert!(free.motion.coordinates()[0] > 70.0); // eleven times round
         near(geared.motion.coordinates()[0], free.motion.coordinates()[0], 1e-8);
+    }
+    Ok(())
+}
+
+/// A coupling that is said twice, and one in single precision: as once, and as in double.
+#[test]
+fn a_held_chain_is_coupled_twice_and_in_single_precision() -> Result<(), Error> {
+    let plates = plates(&mut Noise::new(5));
+    let scene = chain!(plates);
+    let follows = Coupling::new("last", 2).ratio(RATIO).offset(-0.3);
+    let (once, twice) = (Couplings::of(&scene, [follows])?, Couplings::of(&scene, [follows, follows])?);
+    let mut guess = scene.motion();
+    guess.set_coordinates(&[0.92, 0.42, -1.96, -0.6])?;
+    let start = scene.assembled(once.joined(guess), &once)?;
+    let run =
+        |loads: &Couplings<f64, 2>| scene.simulation(Dop853::tolerance(1e-10)).loads(loads).run(start, 0.5, |_| ());
+    let found = run(&twice)?.motion.coordinates();
+    let expected =
+        scene.simulation(Dop853::tolerance(1e-10)).loads(&once).run(start, 0.5, |_| ())?.motion.coordinates();
+    found.iter().zip(&expected).for_each(|(x, y)| near(*x, *y, 1e-10));
+    let (single, start) = (scene.lift(|x| x as f32), start.lift(|x| x as f32));
+    let geared = Couplings::of(&single, [Coupling::new("last", 2).ratio(RATIO as f32).offset(-0.3)])?;
+    let start = single.assembled(start, &geared)?;
+    for end in [
+        single.simulation(Rk4::step(0.005)).loads(&geared).run(start, 0.5, |_| ())?.motion,
+        single.simulation(Sdirk4::new().step(0.005)).loads(&geared).run(start, 0.5, |_| ())?.motion,
+    ] {
+        let q = end.coordinates();
+        near(f64::from(q[3]), RATIO * f64::from(q[1]) - 0.3, 1e-6);
+        q.iter().zip(&expected).for_each(|(x, y)| near(f64::from(*x), *y, 1e-4));
     }
     Ok(())
 }

@@ -633,6 +633,16 @@ fn shafts_are_assembled_on_gears() -> Result<(), Error> {
         near(found[0], first - ratio * force / inertias[0], 1e-14);
         near(found[1], second + force / inertias[1], 1e-14);
     }
+    // Accelerations belong to where they have been turned.
+    let heavy = [0.3, -0.2].map(|x| RigidBody::new(1.0, 0.1, [x, 0.05], [0.0; 2]));
+    let hung = (Branch((shaft.named("first"), heavy[0])), shaft.named("second"), heavy[1]);
+    let hung = System::new(Clamped::origin(), hung, Free)?.with_gravity(GRAVITY);
+    let geared = Couplings::of(&hung, [follows])?;
+    let mut apart = hung.motion();
+    apart.set_coordinates(&[0.5, 0.4])?;
+    let start = hung.assembled(apart, &geared)?;
+    let found = hung.with_accelerations(start, &geared)?.accelerations();
+    assert_eq!(start.accelerations(), found);
     // A shaft that is to stay as it is and as fast.
     let held = scene.assembled_holding(guess, Holding::both(&[0]), &gears)?.motion;
     near(held.coordinates()[0], 0.5, 0.0);
@@ -646,6 +656,8 @@ fn shafts_are_assembled_on_gears() -> Result<(), Error> {
     // What gears say of each other.
     let twice = Couplings::of(&scene, [follows, Coupling::new("first", "second").ratio(-0.5).offset(0.15)])?;
     scene.assembled(guess, &twice)?;
+    let held_twice = scene.assembled_holding(guess, Holding::both(&[0]), &twice)?.motion;
+    near(held_twice.coordinates()[1], ratio * 0.5 + offset, 1e-14);
     let against = Couplings::of(&scene, [follows, Coupling::new("first", "second").ratio(-0.5)])?;
     let error = scene.assembled(guess, &against).map(|_| ()).expect_err("gears that say different things");
     assert!(matches!(error.fault, Fault::NotClosed { residual } if residual > 0.1), "{error}");

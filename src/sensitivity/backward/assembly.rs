@@ -11,6 +11,7 @@
 
 use super::record::Record;
 use super::rules::Staged;
+use super::steps::Steps;
 use super::{Backward, GradientOf};
 use crate::adjoint::{BodyLaw, Burdened, Reversed, Reversible, ReversibleTip};
 use crate::element::{Element, Level, RealOf, Unloaded};
@@ -69,7 +70,7 @@ where
     /// From afar a guess is led to a start by corrections that are no part of this: assemble first, or make start and scene over jets
     /// ([`Gradient::along_start`](crate::sensitivity::Gradient::along_start)), which also knows coordinates that are [held](System::assembled_holding).
     ///
-    /// Gradients of such runs are refused where the start is not closed: [`Fault::NotClosed`]. Steps [linearised](Self::linearised_step) and
+    /// Gradients of such runs are refused where the start is not closed: [`Fault::NotClosed`]; and where joints are coupled but nothing is closed. Steps [linearised](Self::linearised_step) and
     /// scenes with nothing to be closed are as without.
     #[must_use]
     pub fn assembled(mut self) -> Self {
@@ -85,6 +86,9 @@ where
     ) -> Result<(), Error> {
         if self.assembled && System::<S, R, C, P>::CLOSED > 0 {
             self.pull_back_assembly(start, gradient)?;
+        } else if self.assembled && Steps::<S, R, C, P, M, L>::TIED {
+            let what = "the gradient through a start that is assembled to have joints coupled, where nothing is held or closed: make it over jets, `along_start`";
+            return Err(Error::new(Fault::Unsupported { what }).at_time(start.time.as_f64()));
         }
         complete::<S, _>(self.steps.scene.elements(), &mut gradient.bodies);
         self.steps.loads.law.known(&gradient.law).map_err(Error::new)?;

@@ -172,10 +172,13 @@ where
     /// x86-64-v3).
     ///
     /// Under [`Couplings`](crate::planar::Couplings) of joints, too, alone or beside a law or struts
-    /// ([`Couplings::and`](crate::planar::Couplings::and)), where nothing is held or closed; derivatives by their ratios are in
-    /// [`Gradient::by_ratios`](crate::sensitivity::Gradient::by_ratios), and along whatever makes them in
+    /// ([`Couplings::and`](crate::planar::Couplings::and)); derivatives by their ratios and offsets are in
+    /// [`Gradient::by_ratios`](crate::sensitivity::Gradient::by_ratios) and [`by_offsets`](crate::sensitivity::Gradient::by_offsets), and along whatever makes them in
     /// [`Gradient::along_couplings`](crate::sensitivity::Gradient::along_couplings). A sweep of `K` of them is an elimination more and `K` solutions
     /// through its gains; costates take one more.
+    ///
+    /// Under a [`ForceElement`](crate::planar::ForceElement) whose law is a struct, too, alone, beside such a law or after couplings: derivatives by its
+    /// numbers are in [`Gradient::by_force`](crate::sensitivity::Gradient::by_force).
     ///
     /// What a law reads of a body, the place of its mass centre, say, is in [`Gradient::along`](crate::sensitivity::Gradient::along).
     /// A law that does not fit the scene ([`LoadLaw::check`](crate::loading::LoadLaw::check)) is refused by whatever runs or differentiates.
