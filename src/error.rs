@@ -152,7 +152,7 @@ pub enum Fault {
     },
     /// The chain has no body.
     NoBodies,
-    /// A motion belongs to a scene of another shape.
+    /// A motion, or what was made for a scene, belongs to one of another shape.
     Shape,
     /// Closures do not hold independently of each other: too many for the chain, or one that the chain cannot meet.
     RedundantClosures {

@@ -87,7 +87,7 @@ impl fmt::Display for Fault {
                 write!(f, "a list of {list} needs {expected} values, but has {given}")
             }
             Fault::NoBodies => write!(f, "the chain has no body"),
-            Fault::Shape => write!(f, "the motion belongs to a scene of another shape"),
+            Fault::Shape => write!(f, "the motion, or what was made for a scene, belongs to one of another shape"),
             Fault::RedundantClosures { closure, independent, of } => {
                 write!(
                     f,

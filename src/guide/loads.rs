@@ -61,5 +61,8 @@
 //! | limits, thresholds, buffers: loads with a kink, by rules that keep their order | [`kinks`](crate::simulate::Simulation::kinks) of a run |
 //! | the instant of touching | an [event](crate::simulate::Simulation::event), then a new start |
 //!
+//! A function that gives loads names what they are made of: `impl Loading<Planar<f64>, OnBody = Wrench<f64>, InJoint = Absent>` for a load on bodies alone,
+//! `OnBody = Absent, InJoint = f64` for one in joints.
+//!
 //! Contact by a spring is stiff: explicit rules shorten their steps while it lasts. What is proportional to a sign jumps, and error control
 //! then hunts for the jump: smooth it, as above, or give it a joint with modes.

@@ -12,7 +12,7 @@ use crate::space::{RealOf, Space};
 ///
 /// Its law is told the time (s) and the motions of its bodies, and gives the load on each, as [`Loads::on_bodies`](super::Loads::on_bodies) does. It is evaluated for each of
 /// them, and the scene is seen as a whole first, which costs a walk more in each sweep. Rules of all kinds take it as it is: implicit ones do not know
-/// its stiffness, so that a step must resolve it ([`Struts`](crate::planar::Struts) says how). Taylor series do not compile. Runs go backward under one whose law is a
+/// its stiffness, so that a step must resolve it ([`Struts`](crate::planar::Struts) says how), and take no [`stiff`](crate::planar::Struts::stiff) struts beside it. Taylor series do not compile. Runs go backward under one whose law is a
 /// [`ForceLaw`] of its own ([`by`](Self::by)), by the numbers it is made of.
 ///
 /// ```

@@ -263,7 +263,7 @@ where
 
     fn project(&self, _: &mut MotionOf<S, R, C, P>, _: &L, _: &mut Self::Workspace) {}
 
-    fn assembly_step(&self, _: &mut MotionOf<S, R, C, P>, _: &mut Self::Workspace) {}
+    fn assembly_step(&self, _: &mut MotionOf<S, R, C, P>, _: &L, _: &mut Self::Workspace) {}
 
     fn independent(
         &self,

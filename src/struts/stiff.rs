@@ -116,7 +116,12 @@ where
     const YIELDS: Yields = Yields::Together;
 
     fn nothing() -> (WrenchOf<S>, L::InJoint) {
-        const { assert!(!L::SURVEYS, "struts that are stiff stand in one array, and none beside it") }
+        const {
+            assert!(
+                !L::SURVEYS,
+                "struts that are stiff stand in one array, and beside it neither others nor force elements"
+            )
+        }
         Struts::<S::Scalar, D, N, L, W>::nothing()
     }
     #[cfg_attr(optimised, inline(always))]

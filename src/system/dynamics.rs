@@ -67,6 +67,7 @@ pub trait Dynamics<L> {
     fn assembly_step(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        loads: &L,
         workspace: &mut Self::Workspace,
     );
 

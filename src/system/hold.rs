@@ -3,6 +3,7 @@
 use crate::element::{Element, Level, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, Place};
+use crate::loading::couples;
 use crate::mirror::{Mode, Position, Rate, let_all_go};
 use crate::observe::loop_residual;
 use crate::relation::{Closures, Solvable, largest};
@@ -127,7 +128,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return self.accelerate(motion, loads, workspace);
         }
         self.accelerate(motion, loads, workspace)?;
-        let real = RealOf::<S>::of;
+        let (coupled, real) = (const { couples::<S, L>() }, RealOf::<S>::of);
         let (small, tiny) = Self::tolerances();
         let mut last = RealOf::<S>::INFINITY;
         for pass in 0..CORRECTIONS {
@@ -136,14 +137,14 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let step = self.correction(motion, &corrected);
             if step <= real(SHARE) {
                 *motion = corrected;
-            } else if const { Self::LOOPED } {
-                self.assembly_step(motion, workspace);
+            } else if Self::LOOPED || coupled {
+                self.assembly_step(motion, loads, workspace);
             } else {
                 self.approach(motion);
             }
             let outcome = self.accelerate(motion, loads, workspace);
             // On the way a loop may be where it could not stay.
-            let passing = Self::LOOPED
+            let passing = (Self::LOOPED || coupled)
                 && step > real(SHARE)
                 && matches!(outcome, Err(Error { fault: Fault::RedundantClosures { .. }, .. }));
             if !passing {

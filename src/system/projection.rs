@@ -62,7 +62,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 
     /// The correction of positions or of rates, to first order.
     #[allow(clippy::type_complexity)] // the types are those of the scene
-    fn correct<'w, W: Sweep<S, Closures = P::Closures>>(
+    pub(super) fn correct<'w, W: Sweep<S, Closures = P::Closures>>(
         &self,
         level: Level,
         motion: &MotionOf<S, R, C, P>,

@@ -58,9 +58,10 @@ impl<D: Dynamics<L>, L> Dynamics<L> for &D {
     fn assembly_step(
         &self,
         motion: &mut Motion<Self::Scalar, Self::Position, Self::Closures>,
+        loads: &L,
         workspace: &mut Self::Workspace,
     ) {
-        D::assembly_step(self, motion, workspace)
+        D::assembly_step(self, motion, loads, workspace)
     }
 
     #[inline]

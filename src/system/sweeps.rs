@@ -13,7 +13,7 @@ use crate::relation::{Closures, Solvable, VectorSpace};
 use crate::release::Release;
 use crate::scalar::{Real, Scalar};
 use crate::shape::{Kept, Shape};
-use crate::solve::riccati::{Spring, Workspace, broken_load, correction};
+use crate::solve::riccati::{Spring, Workspace, broken_load};
 use crate::space::{MovingBody, MovingJoint};
 use crate::system::{Elements, MotionOf, RateOf, System, coordinates};
 use crate::visit::last_body;
@@ -73,14 +73,14 @@ where
         self.project_by(motion, loads, workspace);
     }
 
-    fn assembly_step(&self, motion: &mut MotionOf<S, R, C, P>, workspace: &mut Self::Workspace) {
-        let [place, _] = self.residual(motion);
-        let ground = self.root.ground(motion.time);
-        if let Some(step) = correction(&self.chain, ground, coordinates(motion), Level::Place, &place, workspace) {
+    fn assembly_step(&self, motion: &mut MotionOf<S, R, C, P>, loads: &L, workspace: &mut Self::Workspace) {
+        let responses = core::mem::take(&mut workspace.responses);
+        if let Some(step) = self.correct(Level::Place, motion, (loads, &responses), workspace) {
             let mut step = step.clone();
             shorten(&mut step);
             motion.position.displace(&step);
         }
+        workspace.responses = responses;
     }
 
     fn independent(

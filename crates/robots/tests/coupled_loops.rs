@@ -324,8 +324,9 @@ fn a_held_chain_is_coupled_twice_and_in_single_precision() -> Result<(), Error> 
     let mut guess = scene.motion();
     guess.set_coordinates(&[0.92, 0.42, -1.96, -0.6])?;
     let start = scene.assembled(once.joined(guess), &once)?;
-    let run =
-        |loads: &Couplings<f64, 2>| scene.simulation(Dop853::tolerance(1e-10)).loads(loads).run(start, 0.5, |_| ());
+    let run = |loads: &Couplings<f64, 2>| -> Result<_, Error> {
+        Ok(scene.simulation(Dop853::tolerance(1e-10)).loads(loads).run(start, 0.5, |_| ())?)
+    };
     let found = run(&twice)?.motion.coordinates();
     let expected =
         scene.simulation(Dop853::tolerance(1e-10)).loads(&once).run(start, 0.5, |_| ())?.motion.coordinates();
@@ -340,6 +341,33 @@ fn a_held_chain_is_coupled_twice_and_in_single_precision() -> Result<(), Error> 
         let q = end.coordinates();
         near(f64::from(q[3]), RATIO * f64::from(q[1]) - 0.3, 1e-6);
         q.iter().zip(&expected).for_each(|(x, y)| near(f64::from(*x), *y, 1e-4));
+    }
+    Ok(())
+}
+
+/// From a guess whose coupling is far apart: a parallelogram whose arms go round, and arms of other lengths.
+#[test]
+fn couplings_far_apart_are_assembled() -> Result<(), Error> {
+    let (rod, j) = (Rod::uniform(1.0, 1.0), Revolute::smooth());
+    let left = (RigidBody::massless([-0.3, 0.4]), j.named("left"), rod, Pin, Rod::uniform(0.7, 1.0));
+    let right = (RigidBody::massless([0.3, 0.4]), j.named("right"), rod);
+    let scene = System::new(Clamped::origin(), Network::new(left, right, Pin), Free)?.with_gravity(GRAVITY);
+    let mut guess = scene.motion();
+    guess.set_coordinates(&[1.31, -0.05, 1.18])?;
+    let follows = Couplings::of(&scene, [Coupling::new("right", "left").ratio(-1.0).offset(3.3)])?;
+    let found = scene.assembled(guess, &follows)?.coordinates();
+    // By Newton's method for the three equations.
+    found.iter().zip([1.700_16, 0.011_33, 1.599_84]).for_each(|(x, y)| near(*x, y, 1e-5));
+    near(found[2], 3.3 - found[0], 1e-14);
+    // To a held tip.
+    let plates = plates(&mut Noise::new(9));
+    let scene = chain!(plates);
+    for offset in [-1.0, -0.3, 0.5] {
+        let follows = Couplings::of(&scene, [Coupling::new("last", 2).ratio(RATIO).offset(offset)])?;
+        let mut guess = scene.motion();
+        guess.set_coordinates(&[0.92, 0.42, -1.96, -0.6])?;
+        let found = scene.assembled(guess, &follows)?.coordinates();
+        near(found[3], RATIO * found[1] + offset, 1e-13);
     }
     Ok(())
 }

@@ -66,9 +66,7 @@ macro_rules! start {
 
 /// Angles and rates of cranks at several starts.
 fn starts() -> impl Iterator<Item = [f64; 2]> {
-    (0..10)
-        .map(|i| f64::from(i))
-        .map(|i| [0.3 + 0.24 * i, if i % 2.0 == 0.0 { 11.0 + 0.4 * i } else { -12.0 - 0.1 * i }])
+    (0..10).map(f64::from).map(|i| [0.3 + 0.24 * i, if i % 2.0 == 0.0 { 11.0 + 0.4 * i } else { -12.0 - 0.1 * i }])
 }
 
 /// Whether runs from several starts end where the equation says, with the energy that they began with; of what cannot be right, whether it is refused.
