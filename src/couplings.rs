@@ -81,7 +81,7 @@ struct Tie<T: Scalar> {
     offset: T,
     /// An effort (N·m, N) by which the follower accelerates by about one more than the leader asks of it.
     inertia: T::Real,
-    /// What it accelerates more by a unit of effort where that is rounding: where closures hold both joints.
+    /// Response of the follower to a unit of effort that is no more than rounding, as where closures hold both joints.
     rounding: T::Real,
 }
 
@@ -213,7 +213,7 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
         balanced(columns, least, missed.map(|missed| [-missed])).map(|[share]| share)
     }
 
-    /// Those that undo what accelerations without miss. What misses much, more than rounding leaves where closures hold it, is moved however little a force
+    /// Shares of such responses that undo what accelerations without miss. What misses much, more than rounding leaves where closures hold it, is moved however little a force
     /// does there, as against stiff springs by implicit rules.
     fn balanced_at(&self, responses: &[[[T; 2]; K]; K], sizes: [T::Real; K], free: [[T; 2]; K]) -> [T; K] {
         let (missed, small) = (self.missing(free), Elementary::sqrt(Elementary::sqrt(T::Real::EPSILON)));
