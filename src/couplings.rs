@@ -213,8 +213,8 @@ impl<T: Scalar, const K: usize, L> Couplings<T, K, L> {
         balanced(columns, least, missed.map(|missed| [-missed])).map(|[share]| share)
     }
 
-    /// Shares of such responses that undo what accelerations without miss. What misses much, more than rounding leaves where closures hold it, is moved however little a force
-    /// does there, as against stiff springs by implicit rules.
+    /// Shares of such responses that undo what accelerations without miss. What misses much, more than rounding leaves where closures hold it, is
+    /// moved however little a force does there, as against stiff springs by implicit rules.
     fn balanced_at(&self, responses: &[[[T; 2]; K]; K], sizes: [T::Real; K], free: [[T; 2]; K]) -> [T; K] {
         let (missed, small) = (self.missing(free), Elementary::sqrt(Elementary::sqrt(T::Real::EPSILON)));
         let sizes = core::array::from_fn(|k| {
