@@ -30,7 +30,7 @@
 
 mod body_law;
 pub mod by_strut;
-pub mod forces;
+pub mod force_elements;
 pub mod jets;
 pub mod laws;
 mod outboard;
@@ -46,7 +46,7 @@ use crate::relation::{Acceleration, AccelerationOf, Additive, Closures, Geometry
 use crate::shape::{Closing, Ends, Takes};
 use crate::space::{Frame, FrameOf, RealOf};
 use crate::walks::{Factor, Meet, PullBack, Reach, Stir, Strain};
-pub use body_law::{ActsOnBodies, BodyLaw, Burdened, OfLaw, ReversibleLoads, Surveyed};
+pub use body_law::{ActsOnBodies, BodyLaw, Burdened, OfLaw, ReversibleLoads, Surveyed, felt_beside};
 pub use outboard::{Kind, Outboard};
 pub(crate) use rigid::passes;
 pub use space::{Costates, LoadCostates, Reversed, VirtualMotion};

@@ -5,7 +5,8 @@ use crate::error::Fault;
 use crate::loading::{EffortOf, Load, LoadLaw, Loading, Loads, Unloaded};
 use crate::relation::{Absent, Additive, Closures};
 use crate::shape::Takes;
-use crate::space::FrameOf;
+use crate::space::{FrameOf, RealOf};
+use crate::visit::Level;
 use crate::walks::{Burden, LAW, PullLoads};
 
 /// What acts on bodies: a law of time, number and motion of each, or [`Struts`](crate::struts::Struts) between them; and
@@ -137,6 +138,23 @@ pub trait ReversibleLoads<S: Reversed>: BodyLaw<S> {
         stirred: (S::Vector, S::Angular),
         sums: &mut S::OfNumbers,
     ) -> S::Felt;
+}
+
+/// What a law of one body's motion, which sees no other, adds beside loads that see several bodies: at a time (s), on a body, at a level.
+pub fn felt_beside<S: Reversed, L: ReversibleLoads<S, OfNumbers = OfLaw<S::Scalar>>>(
+    law: L,
+    (time, body, level): (RealOf<S>, usize, Level),
+    of_law: &mut OfLaw<S::Scalar>,
+    numbers: S::OfNumbers,
+    frame: &FrameOf<S>,
+    stirred: (S::Vector, S::Angular),
+    sums: &mut S::OfNumbers,
+) -> S::Felt {
+    let seen = (law.beside(Absent).unseen(), L::unstirred());
+    let mut walk = PullLoads { law, seen, surveys: false, time, body, level, of_law: *of_law };
+    let felt = L::felt(&mut walk, numbers, frame, stirred, sums);
+    *of_law = walk.of_law;
+    felt
 }
 
 /// Elements through which costates go backward under loads on bodies.

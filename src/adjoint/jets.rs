@@ -11,12 +11,13 @@ const INPUTS: usize = NUMBERS + 2;
 /// A number with derivatives by all these.
 pub type Read<T> = Jet<T, INPUTS>;
 
-/// A law over jets of its numbers, from a seed on, and how many it has.
+/// A law over jets of its numbers, from a seed on, and how many it has. Seeds beyond the last are none, nor are those before the first, of a seed that
+/// wraps around.
 pub fn seeded<T: Scalar, L: Lift<T, Jet<T, N>>, const N: usize>(law: &L, first: usize) -> (L::Over, usize) {
     let mut count = 0;
     let over = law.lift(&mut |number| {
         count += 1;
-        Jet::seed(number, first + count - 1)
+        Jet::seed(number, first.wrapping_add(count - 1))
     });
     (over, count)
 }

@@ -236,15 +236,8 @@ macro_rules! struts {
                 if const { !<L::Law as BodyLaw<$Space<T>>>::ON } {
                     return felt;
                 }
-                // A law of one body's motion sees no other.
-                let law = law.others().law();
-                let seen =
-                    (BodyLaw::<$Space<T>>::beside(law, Absent).unseen(), <L::Law as BodyLaw<$Space<T>>>::unstirred());
-                let (time, body, level, surveys) = (*time, *body, *level, false);
-                let mut walk = PullLoads { law, seen, surveys, time, body, level, of_law: *of_law };
-                let more = L::Law::felt(&mut walk, numbers, frame, stirred, sums);
-                *of_law = walk.of_law;
-                felt + more
+                let at = (*time, *body, *level);
+                felt + felt_beside(law.others().law(), at, of_law, numbers, frame, stirred, sums)
             }
         }
     };

@@ -5,7 +5,7 @@ use super::along::Along;
 use super::backward::Acting;
 use super::front::parts::OfNumbers;
 use crate::adjoint::by_strut::ByStrut;
-use crate::adjoint::forces::OfForce;
+use crate::adjoint::force_elements::OfForce;
 use crate::adjoint::struts::{OfStruts, ReversiblePoints};
 use crate::adjoint::{BodyLaw, Costates, LoadCostates, Reversed, ReversibleTip};
 use crate::couplings::Couplings;

@@ -78,11 +78,12 @@ mod along_past;
 mod along_robots;
 mod backward;
 mod couplings;
-mod forces;
+mod force_elements;
 mod forward;
 #[cfg(all(feature = "alloc", any(feature = "std", feature = "libm")))]
 pub(crate) mod front;
 mod gradient;
+mod lifted;
 mod stepper;
 mod struts;
 

@@ -1,6 +1,6 @@
 //! Gradients of runs under struts.
 
-use super::Gradient;
+use super::{Gradient, lifted};
 use crate::adjoint::BodyLaw;
 use crate::adjoint::by_strut::ByStrut;
 use crate::adjoint::struts::{OfStruts, ReversiblePoints};
@@ -62,15 +62,6 @@ pub(super) fn along<T: Scalar, V: Lift<Jet<T, K>, T>, const D: usize, const N: u
     by_struts: &[ByStrut<T, D>; N],
     struts: &[Strut<Jet<T, K>, D, V>; N],
 ) -> [T; K] {
-    let mut sum = [T::zero(); K];
-    for (strut, mut by) in struts.iter().zip(*by_struts) {
-        let mut list = by.each_number();
-        strut.lift(&mut |number| {
-            if let Some(by) = list.next() {
-                sum.iter_mut().zip(number.eps).for_each(|(sum, part)| *sum += *by * part);
-            }
-            number.re
-        });
-    }
-    sum
+    let mut all = *by_struts;
+    lifted::along(all.iter_mut().flat_map(ByStrut::each_number).map(|by| *by), struts)
 }

@@ -245,6 +245,7 @@ impl<D: SeriesDynamics<L, P>, L, const P: usize> Stepper<D, L> for TaylorStepper
         if self.led {
             // A step from the start knows no place where another one was divided.
             self.stages.begin(past, loads);
+            // What fails is no number, which whoever looks says.
             let _ = self.stages.make(past, loads, dt * TimeIn::<D, L>::of(theta), between);
             return;
         }

@@ -184,7 +184,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         if residual <= small {
             let mut still = motion.clone();
             set(&mut still.rate, core::iter::empty()); // rates are not joined yet
-            return self.hold_apart("coordinates", &still, loads);
+            return self.joined(&still, loads, |residual| Fault::ImpossibleHold { what: "coordinates", residual });
         }
         let fault = Fault::ImpossibleHold { what: "coordinates", residual: residual.as_f64() };
         Err(Error::new(fault).at(place).at_time(motion.time.as_f64()))
@@ -209,22 +209,9 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         motion.rate.visit(&mut |x| size = size.max(x.real().abs()));
         let (residual, place) = self.largest_residual(motion, Level::Velocity);
         if residual <= Self::tolerances().0 * size {
-            return self.hold_apart("rates", motion, loads);
+            return self.joined(motion, loads, |residual| Fault::ImpossibleHold { what: "rates", residual });
         }
         let fault = Fault::ImpossibleHold { what: "rates", residual: residual.as_f64() };
         Err(Error::new(fault).at(place).at_time(motion.time.as_f64()))
-    }
-
-    /// Refuses a motion whose joints stay apart that loads couple.
-    fn hold_apart<L: Loading<S>>(
-        &self,
-        what: &'static str,
-        motion: &MotionOf<S, R, C, P>,
-        loads: &L,
-    ) -> Result<(), Error> {
-        self.suited(motion, loads).map_err(|error| match error.fault {
-            Fault::NotAssembled { residual } => Error { fault: Fault::ImpossibleHold { what, residual }, ..error },
-            _ => error,
-        })
     }
 }

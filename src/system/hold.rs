@@ -153,11 +153,11 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             // Corrections fall until nothing but rounding is left of them. Not the first one, even if it is small: derivatives of
             // dual numbers follow real parts.
             if pass > 0 && (step <= tiny || (step <= small && step + step >= last)) {
-                return self.joined(motion, loads);
+                return self.joined(motion, loads, |residual| Fault::NotClosed { residual });
             }
             last = step;
         }
-        self.joined(motion, loads)?;
+        self.joined(motion, loads, |residual| Fault::NotClosed { residual })?;
         let (residual, place) = self.largest_residual(motion, Level::Place);
         Err(Error::new(Fault::NotClosed { residual: residual.as_f64() }).at(place).at_time(motion.time.as_f64()))
     }

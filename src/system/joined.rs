@@ -5,7 +5,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::couples;
 use crate::mirror::{Position, Rate};
-use crate::system::{Dynamics, MotionOf, RateOf, Runs, System};
+use crate::system::{Dynamics, MotionOf, Runs, System};
 use num_traits::Zero;
 
 impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
@@ -26,20 +26,25 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         loads.accelerated(true, Some(&mut responses), &mut found, |loads, _, found| {
             self.accelerations(motion.time, &motion.position, &motion.rate, loads, workspace, found);
         });
-        let none = |step: &mut RateOf<S, R, C>| step.replace(&mut |_| S::Scalar::zero());
-        none(&mut found);
-        loads.rejoin(&responses, Level::Place, (&motion.position, &motion.rate), &mut found);
-        motion.position.displace(&found);
-        none(&mut found);
-        loads.rejoin(&responses, Level::Velocity, (&motion.position, &motion.rate), &mut found);
-        motion.rate.add(&found);
-        self.joined(motion, loads)
+        let mut correct = |level, motion: &MotionOf<S, R, C, P>| {
+            found.replace(&mut |_| S::Scalar::zero());
+            loads.rejoin(&responses, level, (&motion.position, &motion.rate), &mut found);
+            found.clone()
+        };
+        motion.position.displace(&correct(Level::Place, motion));
+        motion.rate.add(&correct(Level::Velocity, motion));
+        self.joined(motion, loads, |residual| Fault::NotClosed { residual })
     }
 
-    /// Refuses a motion whose joints could not be put where they are coupled.
-    pub(super) fn joined<L: Loading<S>>(&self, motion: &MotionOf<S, R, C, P>, loads: &L) -> Result<(), Error> {
+    /// Refuses a motion whose joints could not be put where they are coupled, by a fault of what is missed.
+    pub(super) fn joined<L: Loading<S>>(
+        &self,
+        motion: &MotionOf<S, R, C, P>,
+        loads: &L,
+        apart: impl FnOnce(f64) -> Fault,
+    ) -> Result<(), Error> {
         self.suited(motion, loads).map_err(|error| match error.fault {
-            Fault::NotAssembled { residual } => Error { fault: Fault::NotClosed { residual }, ..error },
+            Fault::NotAssembled { residual } => Error { fault: apart(residual), ..error },
             _ => error,
         })
     }

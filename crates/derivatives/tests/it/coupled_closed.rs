@@ -1,60 +1,19 @@
-//! Gradients of runs whose joints are coupled where tips are held and loops are closed: against the same steps over jets, the projection of both
-//! included, by all that scene, couplings and start are made of; and through the assembly of starts.
+//! Gradients of runs whose joints are coupled where tips are held and loops are closed: against the same steps, the projection of both included, by all
+//! that scene, couplings and start are made of; and through the assembly of starts.
 
+use super::over_jets::weights;
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
 use catena::{Error, Fault, robot, spatial};
 
-/// What a cost weighs coordinates and rates by, at the end.
-fn weights(count: usize) -> [Vec<f64>; 2] {
-    [0.3, 1.1].map(|phase| (0..count).map(|k| (phase + 1.7 * k as f64).sin()).collect())
-}
-
-/// The gradient of a run backward, and that of its steps over jets, by the numbers of which a scene, its couplings and a start are made; each to
-/// a share of the largest.
-macro_rules! as_jets {
-    ($rule:expr, $h:expr, $steps:expr, $numbers:expr, $made:ident) => {{
-        const N: usize = $numbers.len();
-        type J = Jet<f64, N>;
-        let (scene, couplings, start) = $made!(&$numbers, f64);
-        let [of_q, of_v] = weights(start.coordinates().len());
-        let (mut backward, mut states) = (scene.backward($rule).under(couplings), vec![start; $steps + 1]);
-        backward.run(&start, $h, $steps, &[], &mut states)?;
-        let gradient =
-            backward.gradient(
-                &[],
-                &states,
-                &mut [],
-                |step, _, by| {
-                    if step == $steps { by.add(&of_q, &of_v) } else { Ok(()) }
-                },
-            )?;
-        let seeded: [J; N] = core::array::from_fn(|k| Jet::seed($numbers[k], k));
-        let (over, coupled, start) = $made!(&seeded, J);
-        let (mut now, mut next, mut stepper) = (start, start, over.stepper($rule));
-        for _ in 0..$steps {
-            stepper.step(&now, &coupled, $h, &mut next)?;
-            core::mem::swap(&mut now, &mut next);
-        }
-        let ends = now.coordinates().into_iter().zip(&of_q).chain(now.rates().into_iter().zip(&of_v));
-        let expected = ends.fold([0.0; N], |sum, (x, weight)| core::array::from_fn(|k| sum[k] + weight * x.eps[k]));
-        let parts = [gradient.along(&over)?, gradient.along_couplings(&coupled), gradient.along_start(&start)?];
-        let found: [f64; N] = core::array::from_fn(|k| parts.iter().map(|part| part[k]).sum());
-        let size = expected.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
-        let off = found.iter().zip(&expected).fold(0.0_f64, |far, (f, e)| far.max((f - e).abs())) / size;
-        println!("{} {}: off {off:.1e}", stringify!($made), stringify!($rule));
-        assert!(expected.iter().all(|x| *x != 0.0), "{expected:?}");
-        assert!(off < 1e-12, "{found:?} {expected:?}");
-    }};
-}
-
 /// Explicit and implicit rules, in steps so long that what is put back is far more than rounding.
 macro_rules! by_all_rules {
     ($numbers:expr, $made:ident) => {
-        as_jets!(Rk4, 0.04, 8, $numbers, $made);
-        as_jets!(Dop853, 0.1, 3, $numbers, $made);
-        as_jets!(Sdirk4::new(), 0.04, 5, $numbers, $made);
-        as_jets!(GeneralizedAlpha::new(0.7), 0.04, 6, $numbers, $made);
+        as_jets!(Rk4, 0.04, 8, $numbers, $made, |gradient, couplings| gradient.along_couplings(&couplings));
+        as_jets!(Dop853, 0.1, 3, $numbers, $made, |gradient, couplings| gradient.along_couplings(&couplings));
+        as_jets!(Sdirk4::new(), 0.04, 5, $numbers, $made, |gradient, couplings| gradient.along_couplings(&couplings));
+        as_jets!(GeneralizedAlpha::new(0.7), 0.04, 6, $numbers, $made, |gradient, couplings| gradient
+            .along_couplings(&couplings));
     };
 }
 
@@ -71,7 +30,7 @@ macro_rules! bars {
         guess.set_coordinates(&[x[12], of(0.42), of(-0.62), of(-0.6)])?;
         guess.set_rates(&[x[13], of(-0.2), of(0.1), of(0.5)])?;
         let start = scene.assembled(couplings.joined(guess), &couplings)?;
-        (scene, couplings, start)
+        (scene, start, couplings, couplings)
     }};
 }
 
@@ -99,7 +58,7 @@ macro_rules! swing {
         guess.set_coordinates(&[x[9], of(0.9), of(0.3), of(-1.1), of(-0.9), of(0.4)])?;
         guess.set_rates(&[x[10], of(0.0), of(0.5), of(0.0), of(0.0), of(-0.3)])?;
         let start = scene.assembled(couplings.joined(guess), &couplings)?;
-        (scene, couplings, start)
+        (scene, start, couplings, couplings)
     }};
 }
 
@@ -135,22 +94,21 @@ macro_rules! arm {
         guess.set_coordinates(&[of(0.2), of(0.5), of(-0.8), of(0.0), of(0.4), x[6]])?;
         guess.set_rates(&[x[7], of(-0.2), of(0.5), of(0.0), of(0.1), of(0.3)])?;
         let start = scene.assembled(couplings.joined(guess), &couplings)?;
-        (scene, couplings, start)
+        (scene, start, couplings, couplings)
     }};
 }
 
 const ARM: [f64; 8] = [1.1, 0.4, 0.15, -9.81, 0.6, 0.1, 0.3, 0.3];
 
-// One by one, for they fill a stack where nothing is optimised.
 #[test]
 fn an_arm_of_space_to_a_ball() -> Result<(), Error> {
-    as_jets!(Rk4, 0.04, 8, ARM, arm);
+    as_jets!(Rk4, 0.04, 8, ARM, arm, |gradient, couplings| gradient.along_couplings(&couplings));
     Ok(())
 }
 
 #[test]
 fn an_arm_of_space_to_a_ball_by_an_implicit_rule() -> Result<(), Error> {
-    as_jets!(Sdirk4::new(), 0.04, 5, ARM, arm);
+    as_jets!(Sdirk4::new(), 0.04, 5, ARM, arm, |gradient, couplings| gradient.along_couplings(&couplings));
     Ok(())
 }
 
@@ -159,7 +117,7 @@ fn an_arm_of_space_to_a_ball_by_an_implicit_rule() -> Result<(), Error> {
 fn assembled_starts() -> Result<(), Error> {
     const STEPS: usize = 10;
     const N: usize = BARS.len();
-    let (scene, couplings, start) = bars!(&BARS, f64);
+    let (scene, start, couplings, _) = bars!(&BARS, f64);
     let [of_q, of_v] = weights(4);
     let (mut backward, mut states) = (scene.backward(Rk4).under(couplings).assembled(), [start; STEPS + 1]);
     backward.run(&start, 0.02, STEPS, &[], &mut states)?;
@@ -167,7 +125,7 @@ fn assembled_starts() -> Result<(), Error> {
         .gradient(&[], &states, &mut [], |step, _, by| if step == STEPS { by.add(&of_q, &of_v) } else { Ok(()) })?;
     type J = Jet<f64, N>;
     let seeded: [J; N] = core::array::from_fn(|k| Jet::seed(BARS[k], k));
-    let (over, coupled, _) = bars!(&seeded, J);
+    let (over, _, coupled, _) = bars!(&seeded, J);
     let mut still = over.motion();
     still.set_coordinates(&start.coordinates().into_iter().map(Jet::of).collect::<Vec<_>>())?;
     still.set_rates(&start.rates().into_iter().map(Jet::of).collect::<Vec<_>>())?;
@@ -199,4 +157,26 @@ fn fixed_axes_are_refused() -> Result<(), Error> {
     let refused = scene.backward(Rk4).under(couplings).run(&start, 0.01, 1, &[], &mut states).map_err(|e| e.fault);
     assert!(matches!(refused, Err(Fault::Unsupported { what }) if what.contains("fixed axes")), "{refused:?}");
     scene.backward(Rk4).run(&start, 0.01, 1, &[], &mut states)
+}
+
+/// In a scene with nothing to be closed steps put nothing back: offsets stand in the start, and its assembly is made over jets.
+#[test]
+fn open_scenes_have_offsets_in_their_starts() -> Result<(), Error> {
+    let (rod, j) = (Rod::uniform(0.8, 1.0), Revolute::smooth());
+    let scene = System::new(Clamped::origin(), (j, rod, j.named("last"), rod), Free)?.with_gravity(9.81);
+    let couplings = Couplings::of(&scene, [Coupling::new("last", 1).ratio(-0.7).offset(0.2)])?;
+    let mut states = [scene.assembled(scene.at_rest(&[0.3, 0.1])?, &couplings)?; 5];
+    let start = states[0];
+    let mut gradient = |mut backward: catena::sensitivity::Backward<'_, _, _, _, _, _, _>| {
+        backward.run(&start, 0.01, 4, &[], &mut states)?;
+        let gradient = backward.gradient(&[], &states, &mut [], |step, _, by| {
+            if step == 4 { by.add(&[1.0, 0.5], &[0.0; 2]) } else { Ok(()) }
+        })?;
+        Ok::<_, Error>((*gradient.by_ratios(), *gradient.by_offsets()))
+    };
+    let ([by_ratio], [by_offset]) = gradient(scene.backward(Rk4).under(couplings))?;
+    assert!(by_ratio != 0.0 && by_offset == 0.0, "{by_ratio} {by_offset}");
+    let refused = gradient(scene.backward(Rk4).under(couplings).assembled()).map_err(|error| error.fault);
+    assert!(matches!(refused, Err(Fault::Unsupported { what }) if what.contains("along_start")), "{refused:?}");
+    Ok(())
 }

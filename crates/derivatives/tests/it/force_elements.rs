@@ -1,14 +1,11 @@
-//! Gradients of runs under force elements: against the same steps over jets, by all that scene, law and start are made of.
+//! Gradients of runs under force elements: against the same steps, by all that scene, law and start are made of.
 
+use super::over_jets::WIDTH;
 use crate::drag::Drag;
 use catena::loading::ForceLaw;
 use catena::planar::*;
-use catena::scalar::{Jet, Scalar};
+use catena::scalar::Scalar;
 use catena::{Error, Fault, robot, spatial};
-
-/// So many derivatives at a time.
-const WIDTH: usize = 4;
-type J = Jet<f64, WIDTH>;
 
 /// A muscle along points of three bodies, excited over time: as strong as it is long, less as it shortens.
 #[derive(Clone, Copy)]
@@ -75,48 +72,8 @@ impl<T: Scalar<Real = f64>> ForceLaw<spatial::Spatial<T>, 3> for Muscle<T> {
 
 const MUSCLE: [f64; 12] = [0.4, 0.1, 0.3, -0.2, 0.5, 0.1, 30.0, 1.2, 0.9, 0.8, 0.5, 9.0];
 
-/// Backward, and over jets: `$made` makes scene, start and loads, as runs that go backward and as steps take them, of numbers, of which the first are
-/// those of a muscle, and `$more` is the gradient by what stands beside it.
-macro_rules! as_jets {
-    ($rule:expr, $h:expr, $steps:expr, $numbers:expr, $made:ident) => {
-        as_jets!($rule, $h, $steps, $numbers, $made, |_gradient, _parts| [0.0; WIDTH])
-    };
-    ($rule:expr, $h:expr, $steps:expr, $numbers:expr, $made:ident, |$gradient:ident, $parts:ident| $more:expr) => {{
-        let numbers: &[f64] = &$numbers;
-        let (scene, start, loads, _) = $made!(numbers, f64);
-        let weights: Vec<f64> = (0..2 * start.rates().len()).map(|k| (0.4 + 1.3 * k as f64).cos()).collect();
-        let (of_q, of_v) = weights.split_at(start.rates().len());
-        // Coordinates of balls are others than their derivatives are by.
-        let still = vec![0.0; of_q.len()];
-        let of_q = if start.coordinates().len() == of_q.len() { of_q } else { &still };
-        let (mut backward, mut states) = (scene.backward($rule).under(loads), vec![start.clone(); $steps + 1]);
-        backward.run(&start, $h, $steps, &[], &mut states)?;
-        let $gradient = backward
-            .gradient(&[], &states, &mut [], |step, _, by| if step == $steps { by.add(of_q, of_v) } else { Ok(()) })?;
-        let mut pairs = vec![];
-        for first in (0..numbers.len()).step_by(WIDTH) {
-            let seeded: Vec<J> = (0..).zip(numbers).map(|(k, x)| J::seed(*x, usize::wrapping_sub(k, first))).collect();
-            let (over, start, loads, $parts) = $made!(&seeded, J);
-            let (mut now, mut next, mut stepper) = (start.clone(), start.clone(), over.stepper($rule));
-            for _ in 0..$steps {
-                stepper.step(&now, &loads, $h, &mut next)?;
-                core::mem::swap(&mut now, &mut next);
-            }
-            let ends = now.coordinates().into_iter().zip(of_q).chain(now.rates().into_iter().zip(of_v));
-            let expected =
-                ends.fold([0.0; WIDTH], |sum, (x, weight)| core::array::from_fn(|k| sum[k] + weight * x.eps[k]));
-            let by_muscle = $gradient.along_force(&Muscle::of(&seeded));
-            let parts = [$gradient.along(&over)?, by_muscle, $gradient.along_start(&start)?, $more];
-            let found: [f64; WIDTH] = core::array::from_fn(|k| parts.iter().map(|part| part[k]).sum());
-            pairs.extend(found.into_iter().zip(expected).take(numbers.len() - first));
-        }
-        let size = pairs.iter().fold(0.0_f64, |size, (_, x)| size.max(x.abs()));
-        println!("{}, {}: {pairs:?}", stringify!($made), stringify!($rule));
-        assert!(pairs.iter().all(|(_, x)| *x != 0.0));
-        for (k, (found, expected)) in pairs.into_iter().enumerate() {
-            assert!((found - expected).abs() < 1e-12 * size, "{k}: {found} {expected}");
-        }
-    }};
+fn sum<const N: usize>(lists: [[f64; WIDTH]; N]) -> [f64; WIDTH] {
+    core::array::from_fn(|k| lists.iter().map(|list| list[k]).sum())
 }
 
 #[test]
@@ -131,15 +88,15 @@ fn a_muscle_along_an_arm() -> Result<(), Error> {
             let scene = System::new(root, (rod, ElasticHinge::rotary(x[4]), body, Pin, rod), Free)?.with_gravity(x[5]);
             let start = scene.at_rest(&[x[6], of(-0.5), of(0.3)])?;
             let element = ForceElement::by([0, 1, 2], law).and(Loads::none().on_bodies_by(Drag { drag: x[7] }));
-            (scene, start, element, x[7])
+            (scene, start, element, (law, x[7]))
         }};
     }
     let numbers = [&MUSCLE[..], &[0.8, 1.2, 0.9, 0.7, 4.0, 9.81, -0.9, 0.1]].concat();
     macro_rules! by {
         ($rule:expr, $h:expr, $steps:expr) => {
-            as_jets!($rule, $h, $steps, numbers, arm, |gradient, drag| {
+            as_jets!($rule, $h, $steps, numbers, arm, |gradient, parts| {
                 let [by_drag] = *gradient.by_loads()? else { unreachable!() };
-                drag.eps.map(|slope: f64| by_drag * slope)
+                sum([gradient.along_force(&parts.0), parts.1.eps.map(|slope: f64| by_drag * slope)])
             })
         };
     }
@@ -168,12 +125,16 @@ fn a_muscle_around_a_loop_on_gears() -> Result<(), Error> {
             guess.set_coordinates(&[x[4], of(0.42), of(-1.96), of(-0.6)])?;
             let start = scene.assembled(couplings.joined(guess), &couplings)?;
             let loads = couplings.and(ForceElement::by([0, 3, 1], law));
-            (scene, start, loads, couplings)
+            (scene, start, loads, (law, couplings))
         }};
     }
     let numbers = [&MUSCLE[..], &[1.0, 1.2, 1.6, -0.7, 0.92]].concat();
-    as_jets!(Rk4, 0.02, 6, numbers, bars, |gradient, couplings| gradient.along_couplings(&couplings));
-    as_jets!(Sdirk4::new(), 0.02, 4, numbers, bars, |gradient, couplings| gradient.along_couplings(&couplings));
+    as_jets!(Rk4, 0.02, 6, numbers, bars, |gradient, parts| {
+        sum([gradient.along_force(&parts.0), gradient.along_couplings(&parts.1)])
+    });
+    as_jets!(Sdirk4::new(), 0.02, 4, numbers, bars, |gradient, parts| {
+        sum([gradient.along_force(&parts.0), gradient.along_couplings(&parts.1)])
+    });
     Ok(())
 }
 
@@ -194,11 +155,11 @@ fn a_muscle_in_space() -> Result<(), Error> {
             ]);
             let rates = [0.3, 0.5, -0.2, 1.0, 0.4, 0.2, -0.5].map(of);
             let start = scene.with_rates(scene.motion(), &rates)?;
-            (scene, start, spatial::ForceElement::by([0, 1, 2], law), ())
+            (scene, start, spatial::ForceElement::by([0, 1, 2], law), law)
         }};
     }
     let numbers = [&MUSCLE[..], &[0.04, 1.1, -0.4, -9.81]].concat();
-    as_jets!(Rk4, 0.02, 6, numbers, arm);
+    as_jets!(Rk4, 0.02, 6, numbers, arm, |gradient, law| gradient.along_force(&law));
     Ok(())
 }
 
@@ -217,11 +178,11 @@ fn a_muscle_of_a_robot() -> Result<(), Error> {
             let mut start = scene.motion();
             start.set_coordinates(&[of(0.2), x[4], of(-0.8)])?;
             start.set_rates(&[of(0.5), of(-1.0), of(0.7)])?;
-            (scene, start, robot::ForceElement::by([0, 1, 2], law), ())
+            (scene, start, robot::ForceElement::by([0, 1, 2], law), law)
         }};
     }
     let numbers = [&MUSCLE[..], &[1.1, 0.2, 0.4, -9.81, 0.5]].concat();
-    as_jets!(Rk4, 0.02, 6, numbers, arm);
+    as_jets!(Rk4, 0.02, 6, numbers, arm, |gradient, law| gradient.along_force(&law));
     Ok(())
 }
 

@@ -1,5 +1,7 @@
 //! Derivatives of runs beyond first gradients, and of many scenes at random.
 
+#[macro_use]
+mod over_jets;
 mod at_random;
 mod changes_of_mode;
 mod coupled_closed;

@@ -3,7 +3,7 @@
 mod bodies;
 mod driven;
 mod ends;
-mod forces;
+mod force_elements;
 mod guarded;
 mod hinge_axes;
 mod joints;

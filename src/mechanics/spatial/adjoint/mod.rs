@@ -8,7 +8,7 @@ mod elastic_ball;
 mod ends;
 mod felt;
 mod floating;
-mod forces;
+mod force_elements;
 pub(crate) mod guarded;
 mod inertial;
 mod linear_hinge;

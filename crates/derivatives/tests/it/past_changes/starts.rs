@@ -1,6 +1,7 @@
 //! Starts that are assembled and whose joints stick there, and starts at stops: against the same starts over jets, assembled and run.
 
 use super::WIDTH;
+use crate::over_jets::weights;
 use catena::planar::*;
 use catena::scalar::{Jet, Scalar};
 use catena::{Error, Lift, spatial};
@@ -12,18 +13,20 @@ macro_rules! by_length {
         type J = Jet<f64, 1>;
         let scene = $made!($length, f64);
         let start = scene.assembled(scene.at_rest(&$guess)?, &Unloaded)?;
-        let weights: Vec<f64> = (0..start.rates().len()).map(|k| (0.4 + 1.3 * k as f64).cos()).collect();
+        let [mut of_q, of_v] = weights(start.rates().len());
+        if start.coordinates().len() != of_q.len() {
+            of_q.fill(0.0); // coordinates of balls are others than their derivatives are by
+        }
         let mut backward = scene.backward(Dop853).assembled();
         let course = backward.course(&start, Dop853::tolerance(1e-11), 0.3, &[])?;
         let last = course.states().len() - 1;
-        let gradient = backward.gradient_past(&course, &mut [], |step, _, by| {
-            if step == last { by.add(&weights[..start.coordinates().len()], &weights) } else { Ok(()) }
-        })?;
+        let gradient = backward
+            .gradient_past(&course, &mut [], |step, _, by| if step == last { by.add(&of_q, &of_v) } else { Ok(()) })?;
         let over = $made!(J::seed($length, 0), J);
         let begun = over.assembled(start.lift(J::of), &Unloaded)?;
         let end = over.simulation(Dop853::tolerance(1e-11)).run(begun, 0.3, |_| ());
         let end = end.map_err(|stopped| stopped.error)?.motion;
-        let ends = end.coordinates().into_iter().zip(&weights).chain(end.rates().into_iter().zip(&weights));
+        let ends = end.coordinates().into_iter().zip(&of_q).chain(end.rates().into_iter().zip(&of_v));
         let expected = ends.fold(0.0, |sum, (x, weight)| sum + x.eps[0] * weight);
         let [found] = gradient.along(&over)?;
         println!("{}: {found} {expected}", stringify!($made));
@@ -83,27 +86,7 @@ fn a_linkage_of_space_that_rubs() -> Result<(), Error> {
             System::new(root, Network::new(main, side, Ball), Free)?.with_gravity(at([0.5, -2.0, -9.0]))
         }};
     }
-    type J = Jet<f64, 1>;
-    let scene = linkage!(0.3, f64);
-    let start = scene.assembled(scene.at_rest(&[0.4, 0.0, -0.5, 0.3, -1.1])?, &Unloaded)?;
-    let mut backward = scene.backward(Dop853).assembled();
-    let course = backward.course(&start, Dop853::tolerance(1e-11), 0.3, &[])?;
-    let (last, weights) = (course.states().len() - 1, [1.0, 0.3, -0.4, 0.2, 0.5]);
-    let gradient =
-        backward.gradient_past(
-            &course,
-            &mut [],
-            |step, _, by| {
-                if step == last { by.add(&[0.0; 5], &weights) } else { Ok(()) }
-            },
-        )?;
-    let over = linkage!(J::seed(0.3, 0), J);
-    let begun = over.assembled(start.lift(J::of), &Unloaded)?;
-    let end = over.simulation(Dop853::tolerance(1e-11)).run(begun, 0.3, |_| ());
-    let end = end.map_err(|stopped| stopped.error)?.motion;
-    let expected: f64 = end.rates().iter().zip(weights).map(|(v, weight)| v.eps[0] * weight).sum();
-    let [found] = gradient.along(&over)?;
-    assert!((found - expected).abs() < 1e-9 * expected.abs(), "{found} {expected}");
+    by_length!(linkage, [0.4, 0.0, -0.5, 0.3, -1.1], 0.3);
     Ok(())
 }
 

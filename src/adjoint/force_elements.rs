@@ -3,8 +3,7 @@
 //! Over virtual velocities W and w of the inboard ends of its bodies a force element does π = Σ (W·f + w·m). Costates of what it reads of a body come
 //! from jets of just that, and those of its numbers from jets of these, a few at a time.
 
-use crate::lift::Lift;
-use crate::scalar::{Jet, Scalar};
+use crate::scalar::Scalar;
 
 /// Most numbers that the law of a force element is made of.
 pub const FORCE: usize = 32;
@@ -38,15 +37,6 @@ impl<T: Scalar> OfForce<T> {
         let count = self.count.min(FORCE);
         &mut self.list[..count]
     }
-}
-
-/// A law over jets whose number `first` is seed 0.
-pub fn seeded_from<T: Scalar, L: Lift<T, Jet<T, K>>, const K: usize>(law: &L, first: usize) -> L::Over {
-    let mut count = 0;
-    law.lift(&mut |number| {
-        count += 1;
-        Jet::seed(number, usize::wrapping_sub(count - 1, first))
-    })
 }
 
 /// Force elements of a space, as what acts on bodies in runs that go backward.
@@ -146,8 +136,9 @@ macro_rules! force_elements {
                     if first == 0 {
                         let list = of_force.list_mut();
                         for (block, sums) in list.chunks_mut(READ).enumerate() {
-                            let seeded: <F as Lift<T, Read<T>>>::Over = seeded_from(&law.law, block * READ);
-                            let loads = seeded.loads(*time, &bodies);
+                            // The first number of the block is seed 0.
+                            let over = seeded::<T, F, READ>(&law.law, 0_usize.wrapping_sub(block * READ)).0;
+                            let loads = over.loads(*time, &bodies);
                             for (k, sum) in sums.iter_mut().enumerate() {
                                 for (load, weights) in loads.iter().zip(&*all) {
                                     *sum += self::slope(*weights, load, k);
@@ -159,15 +150,8 @@ macro_rules! force_elements {
                 if const { !<L::Law as BodyLaw<$Space<T>>>::ON } {
                     return felt;
                 }
-                // A law of one body's motion sees no other.
-                let law = law.others.law();
-                let seen =
-                    (BodyLaw::<$Space<T>>::beside(law, Absent).unseen(), <L::Law as BodyLaw<$Space<T>>>::unstirred());
-                let (time, body, level, surveys) = (*time, *body, *level, false);
-                let mut walk = PullLoads { law, seen, surveys, time, body, level, of_law: *of_law };
-                let more = L::Law::felt(&mut walk, numbers, frame, stirred, sums);
-                *of_law = walk.of_law;
-                felt + more
+                let at = (*time, *body, *level);
+                felt + felt_beside(law.others.law(), at, of_law, numbers, frame, stirred, sums)
             }
         }
     };

@@ -1,25 +1,14 @@
 //! Gradients of runs under force elements.
 
 use super::Gradient;
-use crate::adjoint::forces::OfForce;
+use super::lifted::along;
+use crate::adjoint::force_elements::OfForce;
 use crate::adjoint::{BodyLaw, Reversed};
 use crate::couplings::Couplings;
 use crate::element::Element;
 use crate::lift::Lift;
 use crate::loading::ForceElement;
-use crate::scalar::{Jet, Scalar};
-
-/// Derivatives by the numbers of a law, along the seeds of the same over jets.
-pub(super) fn along<T: Scalar, V: Lift<Jet<T, K>, T>, const K: usize>(by: &[T], law: &V) -> [T; K] {
-    let (mut sum, mut list) = ([T::zero(); K], by.iter());
-    law.lift(&mut |number: Jet<T, K>| {
-        if let Some(by) = list.next() {
-            sum.iter_mut().zip(number.eps).for_each(|(sum, part)| *sum += *by * part);
-        }
-        number.re
-    });
-    sum
-}
+use crate::scalar::Jet;
 
 impl<S, E, F, L, X, const N: usize> Gradient<S, E, ForceElement<F, N, L>>
 where
@@ -77,7 +66,7 @@ where
         &self,
         law: &V,
     ) -> [S::Scalar; K] {
-        along(self.by_force(), law)
+        along(self.by_force().iter().copied(), law)
     }
 }
 
@@ -100,6 +89,6 @@ where
         &self,
         law: &V,
     ) -> [S::Scalar; K] {
-        along(self.by_force(), law)
+        along(self.by_force().iter().copied(), law)
     }
 }
