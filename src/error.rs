@@ -198,6 +198,11 @@ pub enum Fault {
         /// About how far the position of rest is (rad, or m for a length).
         distance: f64,
     },
+    /// A motion whose coordinates accelerate is to be linearised as a steady one.
+    NotSteady {
+        /// The largest acceleration of a coordinate (rad/s², or m/s² for a length).
+        acceleration: f64,
+    },
     /// Forces have no potential, so that there are no modes of vibration with real shapes.
     NotConservative {
         /// Asymmetry of the stiffness, relative to its size.

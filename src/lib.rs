@@ -29,7 +29,7 @@
 //! | let forces and torques act | [`guide::loads`], [`loading`] |
 //! | run it | [`simulate`]: output, events, saved runs, single steps, ensembles; [`guide::choosing_a_rule`], [`time`] |
 //! | set and read motions | [`guide::coordinates`], [`observe`], [`Motion`] |
-//! | find its rest, its vibrations | [`equilibrium`](system::System::equilibrium), [`modes`] |
+//! | find its rest, its vibrations, whether a steady motion lasts | [`equilibrium`](system::System::equilibrium), [`modes`], [`complex_modes`](system::System::complex_modes) |
 //! | differentiate it | [`guide::derivatives`], [`sensitivity`] |
 //! | run many at once | [`guide::lanes_and_threads`], [`scalar`] |
 //! | run it on a microcontroller, on time | [`guide::no_std`] |

@@ -1,4 +1,4 @@
-//! Natural frequencies and modes of vibration of a scene about a position of rest.
+//! Natural frequencies and modes of vibration of a scene about a position of rest, and complex modes about steady motions.
 //!
 //! ```
 //! use catena::loading::Unloaded;
@@ -16,19 +16,21 @@
 //! # Ok::<(), catena::Error>(())
 //! ```
 
+mod carried;
+mod complex;
 mod derivatives;
+mod eigen;
+mod steady;
+
+pub use complex::{ComplexMode, ComplexModes};
 
 use crate::dense::{Matrix, Tangent};
-use crate::element::{Coordinates, Element, Loading, RealOf};
+use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
-use crate::mirror::{Position, Rate};
-use crate::observe::each_body;
+use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
-use crate::system::{
-    Dynamics, GRAVITY, Inertial, Linear, MotionOf, PositionOf, Runs, StiffDynamics, System, coordinates, differenced,
-    numbers, set, step, unit,
-};
+use crate::system::{Dynamics, GRAVITY, Inertial, MotionOf, Runs, StiffDynamics, System, differenced, numbers, step};
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use num_traits::Zero;
 use std::vec::Vec;
@@ -41,18 +43,27 @@ struct Limits {
     flat: f64,
     /// Accelerations (rad/s², m/s²) below this share of the largest squared frequency, and of what gravity makes, are rounding.
     pull: f64,
+    /// Squared frequencies below this share of the same are rounding, too.
+    noise: f64,
 }
 
 impl Limits {
     fn of<R: Real>() -> Self {
         let epsilon = R::EPSILON.as_f64();
-        Self { off: differenced::<R>().as_f64(), flat: epsilon.powf(0.7), pull: 1e3 * epsilon }
+        Self {
+            off: differenced::<R>().as_f64(),
+            flat: epsilon.powf(0.7),
+            pull: 1e3 * epsilon,
+            noise: ROUNDINGS * epsilon / step::<R>().as_f64(),
+        }
     }
 }
 
 /// Differences that disagree by more than this share, and by so many times what they leave, are of a force that has a kink.
 const KINK: f64 = 0.1;
 const FAR: f64 = 1e4;
+/// So many roundings are left of what pulls.
+const ROUNDINGS: f64 = 16.0;
 
 /// Natural frequencies, ascending, and their modes.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,7 +152,7 @@ impl<T: Scalar> Modes<T> {
 }
 
 impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Natural frequencies and modes about a position of rest under gravity, springs and loads. Dampers do not enter, nor do the
+    /// Natural frequencies and modes about a position of rest under gravity, springs and loads. Dampers do not enter ([`complex_modes`](Self::complex_modes) knows them), nor do the
     /// rates of `rest`; loads that depend on rates count as they are at none. Forces that hold a tip do their part: modes obey
     /// its closure, and the pull in a held chain makes it stiff.
     ///
@@ -160,7 +171,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// [`Fault::NotAssembled`] where joints that follow others do not; [`Fault::NotAtRest`] with the distance to rest if it is more than 1e-6
     /// (over `f32` 2e-3), infinite for a scene that falls freely;
     /// [`Fault::NotConservative`] for loads without a potential; [`Fault::Unsupported`] where joints stick, where a force has a kink right at the rest, over lanes, and where the ground
-    /// or a drive moves a body so that its velocity changes with the coordinates (a rotor: its modes are gyroscopic), with the station of
+    /// or a drive moves a body so that its velocity changes with the coordinates (a rotor: its modes are [complex](Self::complex_modes)), with the station of
     /// the body, or of what is held there, without one; those of a sweep.
     pub fn modes<L: Loading<S>>(&self, rest: &MotionOf<S, R, C, P>, loads: &L) -> Result<Modes<S::Scalar>, Error>
     where
@@ -209,9 +220,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         for k in order {
             let (square, vector) = (eigen.eigenvalues[k], eigen.eigenvectors.column(k));
             let along = root.solve_upper_triangular(&vector).ok_or_else(singular)?;
-            if square.abs() > flat {
+            // A light coordinate takes more from rounding of the forces that heavy ones bear.
+            let share = (root.amax() * along.amax()).powi(2).max(1.0) * stiffest.max(GRAVITY);
+            if square.abs() > flat.max(limits.noise * share) {
                 way.axpy(vector.dot(&pull) / square, &vector, 1.0);
-            } else if (vector.dot(&pull) * along.amax()).abs() > limits.pull * stiffest.max(GRAVITY) {
+            } else if (vector.dot(&pull) * along.amax()).abs() > limits.pull * share {
                 return Err(error(Fault::NotAtRest { distance: f64::INFINITY }));
             }
             let differentiated = S::Scalar::constant(Real::of(square));
@@ -235,53 +248,6 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             });
         }
         Ok(Modes { modes })
-    }
-}
-
-impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
-    /// Refuses what the ground or a drive moves where all rates are zero, if that motion changes with the coordinates: forces in their rates
-    /// go with it. A change of less than the root of `flat` (rad²/s²) is none.
-    fn carried_alike(&self, still: &MotionOf<S, R, C, P>, near: &Linear<RealOf<S>>, flat: f64) -> Result<(), Error> {
-        let refuse = |what| Error::new(Fault::Unsupported { what });
-        if self.drift(still).iter().any(|x| x.real().as_f64() * x.real().as_f64() > flat) {
-            return Err(refuse("modes of vibration of what is held where the ground or a drive moves"));
-        }
-        // Of each body: velocities in its axes, by roots of what resists them, and the angular momentum in inertial axes.
-        let carried = |position: &PositionOf<S, R, C>| {
-            let (mut weighted, mut angular) = (Vec::new(), Vec::new());
-            each_body(
-                self.elements(),
-                self.ground(still.time),
-                Coordinates { position, ..coordinates(still) },
-                |body| {
-                    let mut own = Vec::new();
-                    S::weighted(body, &mut |x| own.push(x.as_f64()));
-                    weighted.push(DVector::from_vec(own));
-                    angular.push(S::carried(body).angular.map(|x| x.as_f64()));
-                },
-            );
-            (weighted, angular)
-        };
-        let (mut direction, step, root) = (still.rate.clone(), step::<RealOf<S>>(), dense(&near.root));
-        for k in 0..near.tangent.dimension() {
-            let along: Vec<_> = unit(near.tangent.dimension(), k).collect();
-            set(&mut direction, near.tangent.vector(&along).iter().map(|x| S::Scalar::constant(*x)));
-            let [ahead, behind] = [step, -step].map(|reach| {
-                let mut place = still.position.clone();
-                place.drift_0(&still.position, (reach, &direction));
-                place.set_clocks(still.time);
-                carried(&place)
-            });
-            let (inertia, reach) = (root.column(k).norm_squared(), 4.0 * flat * (step * step).as_f64());
-            let weighted = ahead.0.iter().zip(&behind.0).map(|(a, b)| (a - b).norm_squared() > reach * inertia);
-            let angular =
-                ahead.1.iter().zip(&behind.1).map(|(a, b)| (a - b).norm_squared() > reach * inertia * inertia);
-            if let Some(body) = weighted.zip(angular).position(|(weighted, angular)| weighted || angular) {
-                let what = "modes of vibration of a body that the ground or a drive moves as the coordinates say";
-                return Err(refuse(what).at_station(self.body(body)?.station));
-            }
-        }
-        Ok(())
     }
 }
 

@@ -140,6 +140,13 @@ impl fmt::Display for Fault {
                     distance = Number(distance)
                 )
             }
+            Fault::NotSteady { acceleration } => {
+                write!(
+                    f,
+                    "the motion is not steady: a coordinate accelerates by {acceleration} (rad/s2, or m/s2)",
+                    acceleration = Number(acceleration)
+                )
+            }
             Fault::NotConservative { asymmetry } => {
                 write!(
                     f,

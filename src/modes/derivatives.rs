@@ -1,12 +1,12 @@
 //! Derivatives of squared frequencies: ω² = −(φᵀ M a′) / (φᵀ M φ), with a′ the change of accelerations along a shape φ.
 
 use crate::dense::dependent;
-use crate::element::{Element, Loading, RealOf};
+use crate::element::{Element, Level, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Inertial, MotionOf, RateOf, Runs, StiffDynamics, System, numbers, set, step};
+use crate::system::{Inertial, Keeps, MotionOf, RateOf, Runs, StiffDynamics, System, Way, numbers, set, step};
 use nalgebra::{DMatrix, SVD};
 use num_traits::{One, Zero};
 use std::vec::Vec;
@@ -52,9 +52,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 let shares = shares.iter().flat_map(|row| row.iter());
                 derivatives.iter().zip(shares).fold(x, |sum, (missed, share)| sum - *missed * constant(share))
             });
-            let first = self.change(still, &moving.rate, (narrow, step()), loads, &mut workspace);
-            let (at, largest) = ((still, &moving.rate), first.size);
-            let ([mut change, springs], _) = self.beside_kinks(at, narrow, largest, first, loads, &mut workspace);
+            let keeps = if narrow { Keeps::Place } else { Keeps::Nothing };
+            let way = Way { level: Level::Place, direction: &moving.rate, keeps };
+            let first = self.change(still, &way, step(), loads, &mut workspace);
+            let largest = first.size;
+            let ([mut change, springs], _) = self.beside_kinks(still, &way, largest, first, loads, &mut workspace);
             change.iter_mut().zip(springs).for_each(|(sum, more)| *sum += more);
             // As large as the shape, for what pairs them loses what one exceeds the other by.
             let largest =

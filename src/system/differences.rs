@@ -2,8 +2,8 @@
 
 use super::inertial::Inertial;
 use super::lists::numbers;
-use super::{Dynamics, MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System};
-use crate::element::{Element, Implicit, Loading, Reading, RealOf};
+use super::{Dynamics, MotionOf, RateOf, Runs, StiffDynamics, System};
+use crate::element::{Element, Implicit, Level, Loading, Reading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
 use crate::scalar::{Real, Scalar};
@@ -15,7 +15,25 @@ use num_traits::{One, Zero};
 const DIFFERENCES: [(f64, f64, f64); 4] =
     [(1.0, 0.8, 2.0 / 3.0), (2.0, -0.2, -1.0 / 12.0), (3.0, 4.0 / 105.0, 0.0), (4.0, -1.0 / 280.0, 0.0)];
 
-/// How accelerations (m/s², rad/s²) change along a direction.
+/// The way along which accelerations are asked for.
+pub(crate) struct Way<'a, V> {
+    /// Whether positions or rates are displaced.
+    pub level: Level,
+    pub direction: &'a V,
+    pub keeps: Keeps,
+}
+
+/// What is put back where loops are closed after a displacement.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Keeps {
+    Nothing,
+    /// Positions, and rates stay.
+    Place,
+    /// Positions and rates.
+    Motion,
+}
+
+/// How accelerations (m/s², rad/s²) change along a way.
 pub(crate) struct Change<T: Scalar> {
     /// By all but springs, and by these.
     pub by: [Vec<T>; 2],
@@ -32,6 +50,8 @@ const SMALLER: f64 = 0.0625;
 const LEAST: f64 = 0.55;
 /// A force that changes by another such share ahead than behind, however near, has a kink.
 const BENT: f64 = 0.2;
+/// What the shortest steps bend by is rounding if longer ones bend by no more than so many times as much would leave there.
+const ROUNDED: f64 = 64.0;
 /// So many roundings are left of accelerations as large as those of unit displacements, or as gravity.
 const ROUNDINGS: f64 = 16.0;
 /// What gravity makes, about (m/s²).
@@ -41,12 +61,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// What differences that disagree, or bend, are where steps are ever smaller; and by which share of the largest they still do, beyond rounding of what is
     /// as large as the `largest` change by any direction: as a force that has a kink right there does.
     ///
-    /// Differences disagree that reach beyond a kink, of a rope that is hardly taut say. They bend if they are others ahead than behind.
-    #[allow(clippy::type_complexity)] // two in one argument
+    /// Differences disagree that reach beyond a kink, of a rope that is hardly taut say. They bend if they are others ahead than behind. Of light coordinates
+    /// between large forces rounding is more than this allows for: what it bends goes with the inverse of steps, and the longest are best.
     pub(crate) fn beside_kinks<L: Loading<S>>(
         &self,
-        (still, direction): (&MotionOf<S, R, C, P>, &RateOf<S, R, C>),
-        narrow: bool,
+        still: &MotionOf<S, R, C, P>,
+        way: &Way<'_, RateOf<S, R, C>>,
         largest: RealOf<S>,
         first: Change<S::Scalar>,
         loads: &L,
@@ -64,30 +84,42 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         };
         let (mut step, least) = (step::<RealOf<S>>(), RealOf::<S>::EPSILON.powf(RealOf::<S>::of(LEAST)));
         let [mut disagree, mut bends] = shares(&first, step);
-        let (mut best, mut before) = (first.by, first.bent);
+        let (longest, mut before) = (step, first.bent);
+        let (mut least_bent, mut rounding_bends) = (first.bent, RealOf::<S>::zero());
+        let mut narrower: Option<Change<S::Scalar>> = None;
         while (disagree > agree || bends > bent) && step > least {
             step *= smaller;
-            let found = self.change(still, direction, (narrow, step), loads, workspace);
+            let found = self.change(still, way, step, loads, workspace);
             let [other, still_bends] = shares(&found, step);
+            let best = narrower.as_ref().unwrap_or(&first);
             // Where a force is smooth they bend in proportion to steps.
             if disagree <= agree && found.bent < before * smaller * two && found.bent * two > before * smaller {
-                return (best, disagree);
+                return (narrower.unwrap_or(first).by, disagree);
             }
-            before = found.bent;
-            if other <= agree || other < disagree * smaller || (bends > bent && still_bends <= bent) {
-                (best, disagree, bends) = (found.by, other, still_bends);
+            (before, least_bent) = (found.bent, least_bent.min(found.bent));
+            if step < longest * smaller {
+                rounding_bends = rounding_bends.max(found.bent * step);
+            }
+            let agrees = (other <= agree || other < disagree * smaller) && found.astray <= best.astray * smaller;
+            if agrees {
+                (narrower, disagree, bends) = (Some(found), other, still_bends);
+            } else if still_bends <= bent && found.bent <= first.bent {
+                bends = still_bends;
             }
         }
-        (best, if bends > bent { RealOf::<S>::one() } else { disagree })
+        let rounded = least_bent * longest <= rounding_bends * RealOf::<S>::of(ROUNDED);
+        if rounded && (disagree > agree || bends > bent) {
+            return (first.by, RealOf::<S>::zero());
+        }
+        (narrower.unwrap_or(first).by, if bends > bent { RealOf::<S>::one() } else { disagree })
     }
 
-    /// How accelerations change where a motion at rest is displaced along a direction, by central differences of a step. Where `narrow` displacements
-    /// stay where loops are closed.
+    /// How accelerations change where a motion whose joints do not accelerate is displaced along a way, by central differences of a step.
     pub(crate) fn change<L: Loading<S>>(
         &self,
         still: &MotionOf<S, R, C, P>,
-        direction: &RateOf<S, R, C>,
-        (narrow, step): (bool, RealOf<S>),
+        way: &Way<'_, RateOf<S, R, C>>,
+        step: RealOf<S>,
         loads: &L,
         workspace: &mut <Self as StiffDynamics<L>>::StiffWorkspace,
     ) -> Change<S::Scalar>
@@ -98,25 +130,23 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         // Springs as in an explicit sweep, but apart from the rest: they may be so stiff that the error of a difference in
         // which the inertia changes too would drown all else.
         let springs = Implicit { position: none, rate: none };
-        let (mut place, mut acceleration) = (still.position.clone(), still.rate.clone());
+        let (mut near, mut acceleration) = (still.clone(), still.rate.clone());
+        // What joints do not accelerate by.
+        let mut unmoved = still.rate.clone();
+        unmoved.replace(&mut |_| S::Scalar::zero());
         let freedoms = numbers(&still.rate).len();
         let mut by = [(); 2].map(|()| vec![S::Scalar::zero(); freedoms]);
         let mut doubts = vec![[none; 2]; freedoms];
         for (steps, weight, fewer) in DIFFERENCES {
             for sign in [1.0, -1.0] {
                 let reach = step * RealOf::<S>::of(sign * steps);
-                place.drift_0(&still.position, (reach, direction));
-                place.set_clocks(still.time);
-                if narrow {
-                    self.lead_back(&mut place, still, loads);
-                }
-                let (here, there) = ((&still.position, &still.rate), (&place, &still.rate));
+                self.displaced(&mut near, still, way, reach, loads);
+                let (here, there) = ((&still.position, &still.rate), (&near.position, &near.rate));
                 let [weight, other] = [weight, weight - fewer].map(|weight| RealOf::<S>::of(sign * weight) / step);
                 let next = if steps == 1.0 { step.recip() } else { none };
                 for ((at, spring), change) in [(there, here), (here, there)].into_iter().zip(&mut by) {
                     let found = &mut acceleration;
-                    // No acceleration: the rates are zero.
-                    let reading = Reading { position: spring.0, rate: spring.1, acceleration: &still.rate };
+                    let reading = Reading { position: spring.0, rate: spring.1, acceleration: &unmoved };
                     self.implicit_accelerations(still.time, at, spring, reading, springs, loads, workspace, found);
                     let mut sums = change.iter_mut().zip(&mut doubts);
                     acceleration.all(&still.acceleration, &mut |x, here| {
@@ -136,17 +166,46 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Change { by, size, astray, bent }
     }
 
-    /// Closes loops at a place near that of a motion at rest; where that fails it stays, and what is found there is no number or far off.
-    fn lead_back<L: Loading<S>>(&self, place: &mut PositionOf<S, R, C>, still: &MotionOf<S, R, C, P>, loads: &L)
-    where
+    /// Displaces a motion along a way. Where loops do not close again what is found is no number or far off.
+    pub(crate) fn displaced<L: Loading<S>>(
+        &self,
+        near: &mut MotionOf<S, R, C, P>,
+        still: &MotionOf<S, R, C, P>,
+        &Way { level, direction, keeps }: &Way<'_, RateOf<S, R, C>>,
+        reach: RealOf<S>,
+        loads: &L,
+    ) where
         Self: Runs<L, S, R, C, P>,
     {
-        let mut near = still.clone();
-        near.position.clone_from(place);
-        if self.hold(&mut near, loads, &mut self.workspace()).is_ok() {
-            core::mem::swap(&mut near.position, place);
+        near.copy_state(still);
+        match level {
+            Level::Place => {
+                near.position.drift_0(&still.position, (reach, direction));
+                near.position.set_clocks(still.time);
+            }
+            Level::Velocity => near.rate.mix_1(&still.rate, (reach, direction)),
+        }
+        if keeps == Keeps::Nothing {
+            return;
+        }
+        let mut closed = near.clone();
+        if self.hold(&mut closed, loads, &mut self.workspace()).is_ok() {
+            core::mem::swap(&mut near.position, &mut closed.position);
+            if keeps == Keeps::Motion {
+                core::mem::swap(&mut near.rate, &mut closed.rate);
+            }
         }
     }
+}
+
+/// By how much to displace for slopes of eighth order, by steps of a size, and the weights of what is found there.
+#[cfg(feature = "std")]
+pub(crate) fn stencil<R: Real>(step: R) -> impl Iterator<Item = (R, R)> {
+    let side = move |sign| {
+        let both = move |(steps, weight, _)| (step * R::of(sign * steps), R::of(sign * weight) / step);
+        DIFFERENCES.into_iter().map(both)
+    };
+    side(1.0).chain(side(-1.0))
 }
 
 /// The step of the differences, 2⁻¹⁰ of `f64` and 2⁻⁷ of `f32`: where (25 h)⁸, what they leave of a rope of a hundred links by their order, is

@@ -64,6 +64,13 @@ impl<T: Scalar> Fall<T> {
         Self { linear, stiffness, symmetric, metric, force, scale }
     }
 
+    /// Whether nothing but rounding pulls: accelerations are rounding, or, of light coordinates between large forces, forces are.
+    pub(super) fn settled(&self, acceleration: T::Real) -> bool {
+        let limit = self.scale * T::Real::of(64.0) * T::Real::EPSILON;
+        let small = |(j, force): (usize, &T)| force.real().abs() <= limit * self.metric.get(j, j);
+        acceleration <= limit || self.force.iter().enumerate().all(small)
+    }
+
     /// Newton's step; none where the matrix is singular or, if that is asked for, not definite.
     pub(super) fn newton(&self, definite: bool) -> Option<Step<T>> {
         // Stiffness that may as well be rounding resists nothing.

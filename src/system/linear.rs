@@ -1,6 +1,6 @@
 //! A scene linearised about a position: what statics and modes share.
 
-use super::differences::step;
+use super::differences::{Keeps, Way, step};
 use super::inertial::Inertial;
 use super::lists::{numbers, set, unit};
 use super::{MotionOf, RateOf, Runs, StiffDynamics, System, coordinates};
@@ -52,6 +52,21 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             S::reflected(joint, &mut |x| all.push(x));
         });
         all
+    }
+
+    /// A root of the mass matrix at a motion at rest: weighted velocities of bodies for unit rates.
+    pub(crate) fn mass_root(&self, still: &MotionOf<S, R, C, P>) -> Matrix<RealOf<S>> {
+        let (mut direction, freedoms) = (still.rate.clone(), numbers(&still.rate).len());
+        let mut root = Matrix::zeros(0, freedoms);
+        for j in 0..freedoms {
+            set(&mut direction, unit(freedoms, j));
+            let column = self.weighted(still, &direction);
+            if j == 0 {
+                root = Matrix::zeros(column.len(), freedoms);
+            }
+            root.set_column(j, &column);
+        }
+        root
     }
 
     /// Residuals of velocity of all that is held: the tip, and ends of loops.
@@ -108,30 +123,24 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let narrow = tangent.is_redundant();
         let count = if narrow { tangent.dimension() } else { freedoms };
         let mut responses = [(); 2].map(|()| Matrix::zeros(freedoms, count));
-        let (mut root, mut kink) = (Matrix::zeros(0, freedoms), RealOf::<S>::zero());
-        for j in 0..freedoms {
-            set(&mut direction, unit(freedoms, j));
-            let column = self.weighted(still, &direction);
-            if j == 0 {
-                root = Matrix::zeros(column.len(), freedoms);
-            }
-            root.set_column(j, &column);
-        }
+        let (root, mut kink) = (self.mass_root(still), RealOf::<S>::zero());
         let lead = |direction: &mut RateOf<S, R, C>, j| {
             let along: Vec<RealOf<S>> = unit(count, j).collect();
             let along = if narrow { tangent.vector(&along) } else { along };
             set(direction, along.into_iter().map(S::Scalar::constant));
         };
+        let keeps = if narrow { Keeps::Place } else { Keeps::Nothing };
         let mut columns = vec![];
         for j in 0..count {
             lead(&mut direction, j);
-            columns.push(self.change(still, &direction, (narrow, step()), loads, workspace));
+            let way = Way { level: Level::Place, direction: &direction, keeps };
+            columns.push(self.change(still, &way, step(), loads, workspace));
         }
         let largest = columns.iter().fold(RealOf::<S>::zero(), |most, column| most.max(column.size));
         for (j, first) in columns.into_iter().enumerate() {
             lead(&mut direction, j);
-            let at = (still, &direction);
-            let (changes, disagree) = self.beside_kinks(at, narrow, largest, first, loads, workspace);
+            let way = Way { level: Level::Place, direction: &direction, keeps };
+            let (changes, disagree) = self.beside_kinks(still, &way, largest, first, loads, workspace);
             kink = kink.max(disagree);
             for (response, change) in responses.iter_mut().zip(changes) {
                 let change: Vec<_> = change.into_iter().map(|x| x.real()).collect();

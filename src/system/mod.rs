@@ -47,7 +47,7 @@ pub use assembly::{Assembled, AssembledOf, Holding};
 pub(crate) use corrections::{Corrections, MOST_CORRECTIONS};
 pub use describe::Description;
 #[cfg(feature = "std")]
-pub(crate) use differences::{GRAVITY, differenced, step};
+pub(crate) use differences::{GRAVITY, Keeps, Way, differenced, stencil, step};
 pub use dynamics::{Dynamics, Runs, StiffDynamics};
 pub use gravity::Gravity;
 #[cfg(feature = "alloc")]

@@ -114,7 +114,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 }
             };
             damping = ladder;
-            let settled = residual(&now.acceleration) <= real(64.0) * RealOf::<S>::EPSILON * fall.scale;
+            let settled = fall.settled(residual(&now.acceleration));
             let free = away.is_none() && ladder <= small * fall.scale;
             let stalled = found.size + found.size >= last && (found.size <= small || settled);
             (now, last) = (next, found.size);
