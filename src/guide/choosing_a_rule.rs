@@ -11,7 +11,7 @@
 //! | a controller's step of fixed size | `Rk4::step(1e-3)` | four sweeps, the same time always |
 //! | real time, with contacts, friction or stops | `MoreauJean::step(1e-3)` | one sweep a step, stable at any stiffness, order one |
 //! | stiff springs, vibration not of interest | `GeneralizedAlpha::new(0.8)` `.step(1e-2)` | steps as long as the motion, whatever the stiffness |
-//! | stiff springs, to more digits | `Sdirk4::new().step(1e-2)` | order 4 at any stiffness |
+//! | stiff springs, to more digits | `Sdirk4::new().step(1e-2)` | order 4 at any stiffness of springs and dampers |
 //! | thousands of runs from near starts | `Rk4::step(..)` in lanes | lanes share their steps: see [`lanes_and_threads`](super::lanes_and_threads) |
 //!
 //! All are in [`planar`](crate::planar) and in [`spatial`](crate::spatial); [`time`](crate::time) has what each is made of.
@@ -40,15 +40,17 @@
 //!
 //! # Tolerances
 //!
-//! A tolerance is that of each step, absolute (rad, m, and these per second) and relative; errors of a run add up, and where the motion is
-//! chaotic they grow. Halve what you ask for and compare: two runs that agree to six digits have them. Below rounding
+//! A tolerance is that of each step, absolute (rad, m, and these per second) and relative; by `GeneralizedAlpha` of positions alone, so that
+//! rates, and what else stands in rates, may be far off. Errors of a run add up, and where the motion is chaotic they grow. Halve what you ask for and compare: two runs that agree to six digits have them. Below rounding
 //! (2.2e-16) a tolerance is refused.
 //!
 //! # Stiffness
 //!
 //! An explicit rule needs steps below some 2.8 / ω (RK4) of the fastest vibration, seen or not. If a run takes far more steps
 //! than its motion has turns, ask [`modes`](crate::system::System::modes) for the highest frequency, and take an implicit rule. On taut
-//! ropes the stiffness is that of tension, which implicit rules do not know: see their pages. `Auto` finds the fastest rate of springs by itself.
+//! ropes the stiffness is that of tension, which implicit rules do not know: see their pages; nor do they know what loads and force elements
+//! make of positions and rates, which they read where the sweep before has led: a load that goes with the rate of a stiffly damped joint costs them
+//! one order or two, and beyond that damping the run. Laws of joints, stiff struts and contacts they know. `Auto` finds the fastest rate of springs by itself.
 //!
 //! # Single precision
 //!

@@ -66,3 +66,31 @@
 //!
 //! Contact by a spring is stiff: explicit rules shorten their steps while it lasts. What is proportional to a sign jumps, and error control
 //! then hunts for the jump: smooth it, as above, or give it a joint with modes.
+//!
+//! # Currents, pressures, integrals
+//!
+//! What obeys an equation of first order beside the mechanics is a rate of a slider of its own, on an arm that leads nowhere, and a
+//! [`ForceElement`](crate::planar::ForceElement) couples it: every rule steps it to its own order, and derivatives, lanes and saved runs know it. A motor of
+//! inductance L and resistance R, L i′ = u − R i − k ω with the torque k i on its rotor:
+//!
+//! ```
+//! use catena::planar::*;
+//! let (inductance, resistance, k, voltage) = (4e-3, 1.2, 0.35, 6.0); // (H), (Ω), (V·s), (V)
+//! // Its charge slides; its "mass" is the inductance, and what rubs is the resistance, which implicit rules know there.
+//! let winding = (Slider::along(0.0).with(Spring::damping(resistance)), RigidBody::new(inductance, 1.0, [0.0; 2], [0.0; 2]));
+//! let rotor = RigidBody::new(1.0, 0.015, [0.0; 2], [0.0; 2]);
+//! let motor = System::new(Clamped::origin(), (Branch(winding), Revolute::smooth(), rotor), Free)?;
+//! let law = ForceElement::between([0, 1], move |_: f64, [winding, rotor]: &[BodyMotion<f64>; 2]| {
+//!     let (current, speed) = (winding.inboard.velocity.x, rotor.rate());
+//!     let voltages = Wrench { force: [voltage - k * speed, 0.0].into(), torque: 0.0 };
+//!     [voltages, Wrench::torque(k * current)]
+//! });
+//! let run = motor.simulation(Dop853::tolerance(1e-9)).loads(&law).run(motor.motion(), 4.0, |_| ())?;
+//! let [current, speed] = [run.motion.rates()[0], run.motion.rates()[1]];
+//! assert!(current.abs() < 1e-6 && (speed - voltage / k).abs() < 1e-6); // it idles
+//! # Ok::<(), catena::Error>(())
+//! ```
+//!
+//! So energies count ½ L i²; of an integral or a filter with a "mass" of 1, and of pressures, they count what is none. Implicit rules read what a force
+//! element does where the sweep before has led: where that couples what is stiffly damped (an inductance of 1e-6 H in steps of 1 ms) `Sdirk4` falls
+//! to order 2 and `GeneralizedAlpha` to order 1.

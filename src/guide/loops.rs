@@ -42,3 +42,24 @@
 //! for an instant (dead points): steps are taken over these, by [`Taylor`](crate::planar::Taylor) as by others, for which stages of `Dop853` lead over them.
 //! Where a step of a given size, or one to a tolerance of many digits, falls on such a place so that the motion is lost in rounding, the run ends in an
 //! error that names the closure: `Dop853` at steps of 1 ms under error control, and `Sdirk4` below a tolerance of 1e-9, do so in a parallelogram of 1 m.
+//!
+//! **What it takes to move as planned.** Of a chain that is open [`stations`](crate::system::System::stations) is inverse dynamics: accelerations of one's own, forces
+//! of all joints. Where something is closed or held these do not follow from accelerations alone, for drives and closures share them; what `stations` adds
+//! there are the closure forces that the motion has. So let the joints that do it be [`Driven`](crate::planar::Driven) along the plan, and read their stations:
+//!
+//! ```
+//! use catena::planar::*;
+//! let bar = |length: f64| Rod::uniform(length, length);
+//! let held = |angle: f64| {
+//!     let crank = Driven::new(Revolute::smooth(), move |_: f64| [angle, 0.0, 0.0]); // (rad), (rad/s), (rad/s²)
+//!     let chain = (crank, bar(0.3), Pin, bar(0.9), Pin, bar(0.6));
+//!     let scene = System::new(Clamped::origin(), chain, Pinned::at(0.8, 0.0))?.with_gravity(9.81);
+//!     let motion = scene.assembled(scene.at_rest(&[0.2, -1.5])?, &Unloaded)?;
+//!     let torque = scene.stations(&motion, &Unloaded)?.root().torque_outboard(); // all of it is the drive's
+//!     Ok::<_, catena::Error>((torque, scene.budget(&motion)?.potential))
+//! };
+//! let (torque, _) = held(1.0)?;
+//! let (ahead, behind) = (held(1.0 + 1e-5)?.1, held(1.0 - 1e-5)?.1);
+//! assert!((torque - (ahead - behind) / 2e-5).abs() < 1e-8); // the slope of the potential (N·m)
+//! # Ok::<(), catena::Error>(())
+//! ```

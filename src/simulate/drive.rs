@@ -28,6 +28,8 @@ pub struct Running<'a, S: Space, R: Root<S>, C: Element<S>, P: Tip<S>, L, M, E, 
     pub(super) progress: Progress<RealOf<S>>,
     /// The value of the event function at the past motion.
     pub(super) value: Option<f64>,
+    /// The motion at which loads were last seen between steps, with the accelerations that they caused.
+    pub(super) caused: Option<MotionOf<S, R, C, P>>,
 }
 
 /// What came of a step.
@@ -92,6 +94,7 @@ where
         }
         self.value = self.value(Shown::Next)?;
         core::mem::swap(&mut self.past, &mut self.next);
+        self.caused = Some(self.past.clone());
         let size = match self.plan.rule.control {
             Control::Fixed(dt) => dt,
             Control::Tolerance(tolerance) => self.first_step(tolerance),
@@ -137,7 +140,7 @@ where
     /// Where scene, loads or motion are others than those that were saved, accelerations are: they jump. A method that has left others than
     /// those `caused` goes on from them after the same jump.
     fn adapt(&mut self, caused: Option<&MotionOf<S, R, C, P>>) {
-        let now = settled(self.plan.system, self.plan.loads, &self.past);
+        let now = self.caused.insert(settled(self.plan.system, self.plan.loads, &self.past));
         let left = &mut self.past;
         let before = caused.map_or(&left.acceleration, |caused| &caused.acceleration);
         if before.all(&now.acceleration, &mut Scalar::is_identical) {
@@ -155,7 +158,26 @@ where
         left.multipliers = now.multipliers;
     }
 
+    /// Looks at loads anew, which may have changed since they were last seen at this motion.
+    pub(super) fn look_anew(&mut self) -> Result<(), Error> {
+        let Some(caused) = self.caused.take().filter(|caused| caused.time == self.past.time) else {
+            return Ok(());
+        };
+        let settled = caused.acceleration.all(&self.past.acceleration, &mut Scalar::is_identical);
+        self.adapt((!settled).then_some(&caused));
+        if const { Self::CUTS } {
+            self.settle_anew()?;
+        }
+        if self.value.is_some() {
+            self.value = self.value(Shown::Past)?;
+        }
+        Ok(())
+    }
+
     /// The next step that is accepted; `false` where the run has ended, at its end or at an event.
+    ///
+    /// It begins with the accelerations that the last one has ended with: where loads are told otherwise between steps (by a `Cell`, say), go on by
+    /// [`until`](Self::until).
     ///
     /// # Errors
     /// What kept it from a finite motion within the tolerance; the motion is then that before the step.

@@ -77,6 +77,24 @@ fn moves_as_modes_say<D: Dynamics<L>, L>(past: &MotionIn<D, L>, next: &mut Motio
     wrong.map_or(Ok(()), |what| Err(Error::new(Fault::Unsupported { what }).at_time(past.time.as_f64())))
 }
 
+/// Refuses the end of a step at which a joint is held by more than its friction, or pulled off the stop at which it rests.
+fn holds_as_modes_say<D: Dynamics<L>, L>(next: &mut MotionIn<D, L>) -> Result<(), Error> {
+    if const { !D::Position::MODES } {
+        return Ok(());
+    }
+    let (mut let_go, rounding) = (false, TimeIn::<D, L>::one() + Mode::reluctance());
+    next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| {
+        let guard = told.guard.real();
+        let_go |= match mode {
+            Mode::Sticks => guard.abs() > rounding,
+            Mode::RestsBelow | Mode::RestsAbove => guard > Mode::reluctance(),
+            _ => false,
+        };
+    });
+    let what = "a step of a joint that its friction holds no longer, or that leaves its stop: runs, and steps by `MoreauJean`, let it go, other single steps do not";
+    if let_go { Err(Error::new(Fault::Unsupported { what }).at_time(next.time.as_f64())) } else { Ok(()) }
+}
+
 /// Refuses scenes with joints that have modes over lanes, each of which would have changes of mode of its own.
 pub(crate) fn modes_of_one<T: Scalar>(modes: bool) -> Result<(), Error> {
     let what = "lanes of a run in which joints stick and slip or strike stops";
@@ -151,8 +169,8 @@ pub trait Stepper<D: Dynamics<L>, L> {
     /// # Errors
     /// What kept the step from a finite motion, with time and station; `next` is then undefined and `past` as it was. An implicit
     /// method also refuses a step that is not positive and finite, and parameters that make no rule. [`Fault::Unsupported`] where a joint
-    /// with dry friction has come to move against the mode that a run has left it in, and where one is beyond its hard stop. A joint that sticks, or rests
-    /// against a stop, does so for the whole step, whatever pulls at it: runs, and steps by `MoreauJean`, let it go.
+    /// with dry friction has come to move against the mode that a run has left it in, where one is beyond its hard stop, and where at the end of the step one
+    /// sticks that its friction cannot hold, or rests against a stop that it would leave: runs, and steps by `MoreauJean`, let it go.
     fn step(
         &mut self,
         past: &MotionIn<D, L>,
@@ -165,7 +183,8 @@ pub trait Stepper<D: Dynamics<L>, L> {
             moves_as_modes_say::<D, L>(past, next)?;
         }
         self.begin(past, loads);
-        self.make(past, loads, dt, next)
+        self.make(past, loads, dt, next)?;
+        if const { Self::SWITCHES } { Ok(()) } else { holds_as_modes_say::<D, L>(next) }
     }
 
     /// Advances by a step where `past` holds the accelerations that belong to it under these loads: one sweep less.

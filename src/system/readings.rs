@@ -38,7 +38,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ///
     /// With the accelerations of [`with_accelerations`](Self::with_accelerations) these are the forces of the motion. With
     /// accelerations of the user's choice they are what it takes: the torque a joint must exert ON its outboard body is −m
-    /// at its station; of a joint with reflected inertia I, its drive exerts I q̈ more.
+    /// at its station; of a joint with reflected inertia I, its drive exerts I q̈ more. Where loops close or a tip is held they are so with the closure
+    /// forces that the motion has, and not those of the plan: see [`loops`](crate::guide::loops).
     ///
     /// # Errors
     /// [`Fault::Shape`](crate::Fault::Shape) for a motion of another scene; [`Fault::Count`](crate::Fault::Count) and

@@ -25,5 +25,6 @@ mod spatial_references;
 mod spatial_runs;
 mod start;
 mod through_time;
+mod told_between;
 mod turned;
 mod vcabm;
