@@ -55,5 +55,17 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! # Controllers that sample, partners in other programs
+//!
+//! | wanted | take |
+//! |---|---|
+//! | a step of one size each cycle | `stepper.step(..)`, as above: loads are given to each |
+//! | cycles of several steps, by any rule, to a tolerance | [`begin`](crate::simulate::Simulation::begin) a run whose loads read a `Cell` (an atomic, between threads), and [`up_to`](crate::simulate::Running::up_to) the next sample |
+//! | loads that jump at known times, as of pulses | the same, up to each edge: error control would hunt for it |
+//! | progress, an end before the end | [`step`](crate::simulate::Running::step) by step, and leave the loop |
+//! | a process that goes on tomorrow | [`save`](crate::simulate::Running::save), [`resume`](crate::simulate::Simulation::resume) |
+//!
+//! `step` and a `run` begin each step with what the one before has ended with: what loads are told in between they see a stage late.
+//!
 //! Neither a step nor a function of lists allocates, and none takes longer than its passes: of a quadruped that stands a step takes 2 µs, of a
 //! humanoid that falls 12 µs. For firmware see [`no_std`](super::no_std).

@@ -139,7 +139,7 @@ where
 
     /// Where scene, loads or motion are others than those that were saved, accelerations are: they jump. A method that has left others than
     /// those `caused` goes on from them after the same jump.
-    fn adapt(&mut self, caused: Option<&MotionOf<S, R, C, P>>) {
+    pub(super) fn adapt(&mut self, caused: Option<&MotionOf<S, R, C, P>>) {
         let now = self.caused.insert(settled(self.plan.system, self.plan.loads, &self.past));
         let left = &mut self.past;
         let before = caused.map_or(&left.acceleration, |caused| &caused.acceleration);
@@ -156,22 +156,6 @@ where
             left.acceleration.set(&now.acceleration);
         }
         left.multipliers = now.multipliers;
-    }
-
-    /// Looks at loads anew, which may have changed since they were last seen at this motion.
-    pub(super) fn look_anew(&mut self) -> Result<(), Error> {
-        let Some(caused) = self.caused.take().filter(|caused| caused.time == self.past.time) else {
-            return Ok(());
-        };
-        let settled = caused.acceleration.all(&self.past.acceleration, &mut Scalar::is_identical);
-        self.adapt((!settled).then_some(&caused));
-        if const { Self::CUTS } {
-            self.settle_anew()?;
-        }
-        if self.value.is_some() {
-            self.value = self.value(Shown::Past)?;
-        }
-        Ok(())
     }
 
     /// The next step that is accepted; `false` where the run has ended, at its end or at an event.

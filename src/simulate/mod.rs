@@ -23,6 +23,7 @@ mod shown;
 mod strike;
 mod surplus;
 mod switch;
+mod told;
 mod trials;
 
 use crate::element::{Element, Loading, RealOf, Space, Unloaded};

@@ -241,38 +241,6 @@ where
         &self.stepper
     }
 
-    /// Steps until one ends at a time (s) or later, which cuts none of them short.
-    ///
-    /// Loads may have changed since the last call, as when a controller sets a `Cell` that they read: the next step begins with what they cause now, as
-    /// after [`resume`](Simulation::resume). Under error control steps end where they end: a controller that samples at given times has fixed steps, or
-    /// runs from one sample to the next.
-    ///
-    /// ```
-    /// use catena::planar::*;
-    /// use core::cell::Cell;
-    /// let wheel = System::new(Pinned::origin(), RigidBody::new(1.0, 1.0, [0.0; 2], [0.0; 2]), Free)?;
-    /// let torque = Cell::new(0.0);
-    /// let loads = Loads::none().in_joints(|_, _, _: &JointMotion<f64>| torque.get());
-    /// let mut run = wheel.simulation(Rk4::step(0.1)).loads(&loads).begin(wheel.motion(), 1.0, |_| ())?;
-    /// run.until(0.5)?;
-    /// torque.set(1.0);
-    /// run.until(1.0)?;
-    /// assert!((run.motion().rates()[0] - 0.5).abs() < 1e-14);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    ///
-    /// # Errors
-    /// As [`step`](Self::step); [`Fault::NotFinite`](crate::Fault::NotFinite) for a time that is no number.
-    pub fn until(&mut self, time: RealOf<S>) -> Result<(), Error> {
-        ensure_finite(time <= RealOf::<S>::INFINITY, "time until which a run is to go on")?;
-        if self.past.time < time && !self.progress.stopped {
-            self.look_anew()?;
-        }
-        while self.past.time < time && self.step()? {}
-        self.caused = Some(settled(self.plan.system, self.plan.loads, &self.past));
-        Ok(())
-    }
-
     /// The state of the run, to be gone on from.
     pub fn save(&self) -> SavedOf<S, R, C, P, K::Memory> {
         let progress = Progress { sweeps: self.sweeps(), ..self.progress };

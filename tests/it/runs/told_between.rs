@@ -47,6 +47,29 @@ fn a_sampled_controller_tells_a_run_its_torque() -> Result<(), Box<dyn std::erro
             near(motion.rates()[0], exact[1], 10.0 * $tolerance);
         }};
     }
+    // By steps that end where samples are taken.
+    macro_rules! check_up_to {
+        ($rule:expr, $tolerance:expr) => {{
+            let torque = Cell::new(f64::NAN);
+            let loads = Loads::none().in_joints(|_, _, _: &JointMotion<f64>| torque.get());
+            torque.set(0.0);
+            let mut run = scene.simulation($rule).loads(&loads).begin(scene.at_rest(&[-1.0])?, 1.0, |_| ())?;
+            for sample in 1..=100 {
+                torque.set(-20.0 * (run.motion().coordinates()[0] - 0.5) - 4.0 * run.motion().rates()[0]);
+                run.up_to(0.01 * f64::from(sample))?;
+                near(run.motion().time(), 0.01 * f64::from(sample), 1e-15);
+            }
+            let run = run.finish()?;
+            near(run.motion.coordinates()[0], exact[0], $tolerance);
+            near(run.motion.rates()[0], exact[1], 10.0 * $tolerance);
+            run.steps
+        }};
+    }
+    assert_eq!(check_up_to!(Dop853::tolerance(1e-10), 1e-12), 100);
+    check_up_to!(Dopri5::tolerance(1e-10), 1e-9);
+    check_up_to!(Vcabm::new().tolerance(1e-10), 1e-8);
+    check_up_to!(Auto::tolerance(1e-9), 1e-8);
+    assert_eq!(check_up_to!(Rk4::step(4e-3), 1e-9), 300); // 4, 4 and 2 ms
     check!(Rk4::step(1e-3), 1e-11);
     check!(Dopri5::step(1e-3), 1e-13);
     check!(Dop853::step(2e-3), 1e-13);
@@ -78,6 +101,38 @@ fn a_run_that_is_told_nothing_new_is_the_same() -> Result<(), Box<dyn std::error
     check!(Sdirk4::new().tolerance(1e-6));
     check!(GeneralizedAlpha::new(0.8).step(1e-2));
     check!(Taylor::<16>::tolerance(1e-12));
+    Ok(())
+}
+
+/// A wheel of 1 kg m² on a damper of 2 N·m·s/rad under pulses of 3 N·m, 30 of each 100 ms.
+#[test]
+fn pulses_are_met_at_their_edges() -> Result<(), Box<dyn std::error::Error>> {
+    let wheel = RigidBody::new(1.0, 1.0, [0.0; 2], [0.0; 2]);
+    let hinge = ElasticHinge::with(Spring::damping(2.0));
+    let scene = System::new(Clamped::origin(), (hinge, wheel), Free)?;
+    let pulse = Cell::new(0.0);
+    let loads = Loads::none().in_joints(|_, joint, _: &JointMotion<f64>| if joint == 1 { pulse.get() } else { 0.0 });
+    let mut samples = Vec::new();
+    let see = |now: &catena::simulate::Now<'_, _, _, _, _, _>| samples.push(now.time());
+    let simulation = scene.simulation(Dop853::tolerance(1e-11)).loads(&loads).every(0.25);
+    let mut run = simulation.begin(scene.motion(), 1.0, see)?;
+    let mut exact = 0.0_f64; // rad/s
+    for k in 0..10 {
+        for (torque, width) in [(3.0, 0.03), (0.0, 0.07)] {
+            pulse.set(torque);
+            let begins = run.motion().time();
+            run.up_to(if torque > 0.0 { 0.1 * f64::from(k) + 0.03 } else { 0.1 * f64::from(k + 1) })?;
+            near(run.motion().time() - begins, width, 1e-15);
+            exact = 0.5 * torque + (exact - 0.5 * torque) * (-2.0 * width).exp();
+            near(run.motion().rates()[0], exact, 1e-13);
+        }
+    }
+    assert!(!run.step()?);
+    let run = run.finish()?;
+    // Besides those to the edges a few that grow.
+    assert!(run.steps < 40 && run.rejected == 0);
+    assert_eq!(samples.len(), 5);
+    samples.iter().zip([0.0, 0.25, 0.5, 0.75, 1.0]).for_each(|(found, expected)| near(*found, expected, 1e-15));
     Ok(())
 }
 
