@@ -92,8 +92,9 @@ impl fmt::Display for Fault {
                 write!(
                     f,
                     "closures are redundant in this posture: {independent} of {of} are independent, one that is not holds \
-                     {closure}; a straight guess has to be bent, a tip be within reach, and a loop that is held more often than it can move is \
-                     one for a `Network` that `LeastNorm` closes"
+                     {closure}; a straight guess has to be bent, a tip be within reach, a singular posture be left (as where drives, or \
+                     joints that stick, hold all that a mechanism can do), and a loop that is held more often than it can move is one for a \
+                     `Network` that `LeastNorm` closes"
                 )
             }
             Fault::Jammed { joint } => write!(

@@ -131,6 +131,9 @@ impl<T: Scalar, R: SpringLaw<T>> Joint<T> for ElasticHinge<R> {
 
     const LINEAR: bool = R::LINEAR;
 
+    fn kind() -> &'static str {
+        if R::ON { core::any::type_name::<Self>() } else { "Revolute" }
+    }
     fn still() -> (T, T) {
         (T::zero(), T::zero())
     }

@@ -36,6 +36,10 @@ pub trait Joint<T: Scalar>: Counted + Copy + Debug + 'static {
     /// Whether the orientation of the outboard body does not depend on that of the inboard one.
     const ABSOLUTE: bool = false;
 
+    /// The name of the joint's type.
+    fn kind() -> &'static str {
+        core::any::type_name::<Self>()
+    }
     /// The position of an unturned joint, and the rates of one at rest.
     fn still() -> (Self::Position, Self::Rate);
     /// Room for the gains.
@@ -141,6 +145,9 @@ impl<T: Scalar, J: Joint<T> + Native> crate::shape::Joint<Planar<T>> for J {
 
     const LINEAR: bool = <J as Joint<T>>::LINEAR;
 
+    fn kind() -> &'static str {
+        <J as Joint<T>>::kind()
+    }
     fn still() -> (<J as Joint<T>>::Position, <J as Joint<T>>::Rate) {
         <J as Joint<T>>::still()
     }
