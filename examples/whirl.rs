@@ -116,7 +116,7 @@ fn draw(whirl: &[(f64, [f64; 2])], growth: &[Vec<(f64, f64)>; 2]) -> Drawn<PathB
         )?;
         common::curve(&mut chart, [(0.0, 0.0), (250.0, 250.0)], line(INK, 1.0))?;
         for (way, colour) in [BLUE, ORANGE].into_iter().enumerate() {
-            let exact = (0..=240).map(|k| f64::from(k)).map(|speed| (speed, by_hand(speed)[way]));
+            let exact = (0..=240).map(f64::from).map(|speed| (speed, by_hand(speed)[way]));
             common::curve(&mut chart, exact, line(GREY, 1.2))?;
             common::dots(&mut chart, whirl.iter().map(|(speed, both)| (*speed, both[way])), 3.0, colour)?;
         }
