@@ -25,6 +25,12 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     ) where
         Elements<S, R, C>: Condense<S, P::Relation, W, Out: Close<S, W::Closures>>,
     {
+        // The plain sweep apart from all others: within a closure a compiler makes more instructions of it, up to 1 %.
+        if const { !couples::<S, W::Loads>() && !(W::Loads::YIELDS.together() && <W::Springs as Springs<S::Scalar>>::STIFF) }
+        {
+            sweep(&self.chain, &self.site(time, loads), position, rate, spring, workspace, acceleration);
+            return;
+        }
         let (stiff, yields) = const { (<W::Springs as Springs<S::Scalar>>::STIFF, W::Loads::YIELDS.together()) };
         // What joints remember of the sweep before, which is none of those that ask what forces cause.
         let remembered = (stiff && (yields || couples::<S, W::Loads>())).then(|| workspace.kept.clone());
@@ -57,10 +63,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             } else {
                 yielded(loads, false, acceleration);
             }
-        } else if const { couples::<S, W::Loads>() } {
-            loads.accelerated(read, kept, acceleration, swept);
         } else {
-            swept(loads, false, acceleration);
+            loads.accelerated(read, kept, acceleration, swept);
         }
         workspace.responses = responses;
     }
