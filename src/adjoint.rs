@@ -49,7 +49,7 @@ use crate::walks::{Factor, Meet, PullBack, Reach, Stir, Strain};
 pub use body_law::{ActsOnBodies, BodyLaw, Burdened, OfLaw, ReversibleLoads, Surveyed, felt_beside};
 pub use outboard::{Kind, Outboard};
 pub(crate) use rigid::passes;
-pub use space::{Costates, LoadCostates, Reversed, VirtualMotion};
+pub use space::{Costates, LoadCostates, Reversed, VirtualMotion, unless_rows};
 pub use ties::Ties;
 
 /// Elements that take all walks of the costate sweep.

@@ -2,6 +2,7 @@
 
 use crate::element::{Element, Space};
 use crate::relation::{AccelerationOf, Additive, WrenchOf};
+use crate::scalar::Scalar;
 use crate::shape::{PerAxes, Selective, Takes};
 use crate::space::FrameOf;
 
@@ -30,6 +31,13 @@ pub trait Reversed: VirtualMotion + Costates + LoadCostates {
     fn no_pivot() -> Self::Pivot;
     /// No derivatives yet.
     fn of_nothing() -> (Self::OfBody, Self::OfNumbers, Self::OfJoint);
+}
+
+/// Sums of derivatives by parameters, or, where numbers are rows of Jacobians that know none of these, others that nobody reads: a compiler leaves
+/// out what is added to them.
+#[inline(always)]
+pub fn unless_rows<'s, T: Scalar, X>(sums: &'s mut X, unread: &'s mut X) -> &'s mut X {
+    if const { T::ROWS } { unread } else { sums }
 }
 
 /// The outward walk of virtual velocities ([`stir`](crate::walks::stir)).

@@ -119,6 +119,9 @@ pub trait Scalar:
     /// Whether a number is several of equal standing: lanes, of which none decides for the others.
     const LANES: bool = false;
 
+    /// Whether numbers are rows of Jacobians by states and torques, so that costates need no sums by parameters.
+    const ROWS: bool = false;
+
     /// The constant `value`: no derivatives, the same in every lane.
     fn constant(value: Self::Real) -> Self;
 

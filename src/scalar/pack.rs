@@ -8,7 +8,8 @@ use core::ops::{Add, Div, Mul, Neg, Sub};
 /// `N` numbers side by side, which a compiler puts into the lanes of registers.
 ///
 /// It serves to carry several costates along one motion: what belongs to the motion is the same in all of them, and sines of such numbers are
-/// found once. Decisions look at the first of them. Four at a time pay on x86-64-v3, two on the default target.
+/// found once. Decisions look at the first of them. Four at a time pay on x86-64-v3, two on the default target. Costates over them have no sums by
+/// parameters: gradients of runs over packs do not compile.
 ///
 /// ```
 /// use catena::scalar::{Pack, Scalar};
@@ -97,6 +98,7 @@ impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
     type Real = T::Real;
     const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
     const LANES: bool = T::LANES;
+    const ROWS: bool = true;
 
     #[inline(always)]
     fn constant(value: T::Real) -> Self {

@@ -132,7 +132,7 @@ where
     /// # Ok::<(), catena::Error>(())
     /// ```
     ///
-    /// With RK4, n rods on pins and four rows at a time 2.7, 4.2 and 11.1 plain steps for n = 2, 7 and 20 (x86-64-v3, two cores shared with other
+    /// With RK4, n rods on pins and four rows at a time 2.5, 3.9 and 10.2 plain steps for n = 2, 7 and 20 (x86-64-v3, two cores shared with other
     /// work). `N` is one or more, or the program does not compile.
     ///
     /// # Errors

@@ -39,7 +39,7 @@ use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
-use crate::scalar::Real;
+use crate::scalar::{Real, Scalar};
 use crate::stepper::advances;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 pub use checkpoints::Checkpoints;
@@ -289,6 +289,7 @@ where
 
     /// No gradient yet, by torques neither, nor what an earlier one has left of torques where its cost has failed.
     fn begin(&mut self, by_torques: &mut [EffortOf<S>]) -> GradientOf<S, R, C, L> {
+        const { assert!(!S::Scalar::ROWS, "packs are for rows of linearised steps: gradients are over plain numbers") };
         by_torques.fill(EffortOf::<S>::null());
         self.steps.give_torques(&mut [], 0);
         self.steps.of_memory.set(&self.steps.zero);

@@ -17,6 +17,7 @@
 //! and at I G has w ẑ×σ more, F α ẑ×σ − ω² σ. What α, ω² and w multiply in θ̄ is summed up for all bodies that a pin turns.
 
 use super::{Kind, OnBody, Outboard, Pulled, Stirred};
+use crate::adjoint::{Reversed, unless_rows};
 use crate::element::Springs;
 use crate::mechanics::planar::body::{Base, Pose};
 use crate::mechanics::planar::{Acceleration, Body, Planar, PointMass, RigidBody, Rod, Wrench};
@@ -160,6 +161,8 @@ macro_rules! bodies {
                 outer: Pulled<T>,
                 (&x, &y, &p, &q, _, (a, (), met, ..), (sums, ()), _): Of<'_, Planar<T>, PullBack, Self>,
             ) -> Pulled<T> {
+                let (mut unread, ..) = Planar::of_nothing();
+                let sums = unless_rows::<T, _>(sums, &mut unread);
                 pull_back(walk, self, Pose { x, y, p, q }, (*a, *met), outer, sums)
             }
         }

@@ -10,6 +10,7 @@
 
 use super::inertial::{Arm, Base, Inertial, swept};
 use super::{Kind, OnBody, Outboard, Pulled, Stirred};
+use crate::adjoint::{Reversed, unless_rows};
 use crate::element::{Element, Springs};
 use crate::mechanics::spatial::body::{Body, Pose};
 use crate::mechanics::spatial::{Acceleration, PointMass, RigidBody, Rod, Spatial, Turn, Wrench};
@@ -136,6 +137,8 @@ macro_rules! bodies {
                 (&attitude, &[turning, _], &arm, &centripetal, _, (a, (), met, ..), (sums, ()), _):
                     Of<'_, Spatial<T>, PullBack, Self>,
             ) -> Pulled<T> {
+                let (mut unread, ..) = Spatial::of_nothing();
+                let sums = unless_rows::<T, _>(sums, &mut unread);
                 pull_back(self, &Pose { attitude, turning, arm, centripetal }, (*a, met), outer, sums)
             }
         }

@@ -24,6 +24,7 @@
 
 use super::{Outboard, Pulled, Stirred, Turning};
 use crate::adjoint::laws::{ReversibleLaw, force, strain};
+use crate::adjoint::{Reversed, unless_rows};
 use crate::element::{Element, Springs};
 use crate::mechanics::spatial::{Acceleration, Revolute, Spatial, Turn, Wrench};
 use crate::relation::spatial::Way;
@@ -142,7 +143,8 @@ impl<T: Scalar, L: ReversibleLaw<T>> Takes<Spatial<T>, PullBack> for Revolute<T,
             Self,
         >,
     ) -> Pulled<T> {
-        let axis = axes.x;
+        let (_, _, mut unread) = Spatial::of_nothing();
+        let (axis, sums) = (axes.x, unless_rows::<T, _>(sums, &mut unread));
         let (turning, turned) = (kept.turning, outer.turned(kept.turning));
         let of_law = if walk.laws { self.law.pull_back(*angle, *rate, *own, &mut sums.law) } else { [T::zero(); 2] };
         let [of_angle, of_speed] = of_law;

@@ -18,8 +18,8 @@ use super::inertial::swept;
 use super::reversing::Reversing;
 use super::revolute::of_axis;
 use super::{Felt, Pulled, Turning};
-use crate::adjoint::BodyLaw;
 use crate::adjoint::laws::ReversibleLaw;
+use crate::adjoint::{BodyLaw, Reversed, unless_rows};
 use crate::mechanics::spatial::axial::{Axial, Listed};
 use crate::mechanics::spatial::{Cylindrical, Prismatic, Spatial, Universal};
 use crate::relation::spatial::Way;
@@ -133,6 +133,8 @@ macro_rules! axial {
                     Self,
                 >,
             ) -> Pulled<T> {
+                let (_, _, mut unread) = Spatial::of_nothing();
+                let sums = unless_rows::<T, _>(sums, &mut unread);
                 let (position, rate) = (Listed::<T, $K>::list(motion.0), Listed::<T, $K>::list(motion.1));
                 let (acceleration, own) = (Listed::<T, $K>::list(motion.2), Listed::<T, $K>::list(motion.3));
                 let (mut carried, mut turning, mut by) = (outer, kept.turning, [[T::zero(); $K]; 2]);

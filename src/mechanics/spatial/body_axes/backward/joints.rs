@@ -14,8 +14,8 @@ use super::super::relation::Local;
 use super::super::standing::{Stand, Standing};
 use super::super::turns::Offset;
 use super::swept_known;
-use crate::adjoint::BodyLaw;
 use crate::adjoint::laws::{ReversibleLaw, force, strain};
+use crate::adjoint::{BodyLaw, Reversed, unless_rows};
 use crate::element::{Element, Springs};
 use crate::mechanics::spatial::adjoint::{Felt, Outboard, Pulled, Step, Stirred, Turning, per_vector};
 use crate::mechanics::spatial::{Acceleration, Spatial, Turn, Wrench};
@@ -135,6 +135,8 @@ takes!([Q: Closures] Stir<T, Q>, |joint, walk, inner: Stirred<T>,
 
 takes!([] PullBack, |joint, walk, outer: Pulled<T>,
     (x, y, _, _, (position, rate, acceleration, own), (_, a, _, met, _, _), (_, sums), (of_position, of_rate))| {
+    let (_, _, mut unread) = Spatial::of_nothing();
+    let sums = unless_rows::<T, _>(sums, &mut unread);
     let (stand, _) = Self::posture(x, y);
     let (mut carried, mut turning, step) = (outer, met.turning, step(*rate, *acceleration, *own));
     let [by_law, by_rate] =

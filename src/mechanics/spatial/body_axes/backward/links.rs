@@ -16,7 +16,7 @@ use super::super::number::{
 use super::super::relation::Local;
 use super::super::through::Solid;
 use super::swept_known;
-use crate::adjoint::ReversibleLoads;
+use crate::adjoint::{Reversed, ReversibleLoads, unless_rows};
 use crate::element::{Element, Springs};
 use crate::mechanics::spatial::adjoint::{BODY, Base, Felt, OnBody, Outboard, Pulled, Stirred, Turning, per_vector};
 use crate::mechanics::spatial::{Acceleration, Inertia, Spatial, Turn, Wrench};
@@ -76,6 +76,8 @@ takes!([C: Closures] Stir<T, C>, |_link, _walk, inner: Stirred<T>, (.., (met, ()
 });
 
 takes!([] PullBack, |link, _walk, outer: Pulled<T>, (_, posture, .., (a, (), met, ..), (sums, ()), _)| {
+    let (mut unread, ..) = Spatial::of_nothing();
+    let sums = unless_rows::<T, _>(sums, &mut unread);
     let Turning { spin, acceleration, stirring } = met.turning;
     let (none, vector) = ([Number::zero(); 3], |v: Triple<T>| Vector3::from(values(v)));
     // One by one: what a loop reads is not known by type.
