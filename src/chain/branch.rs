@@ -39,6 +39,7 @@ impl<S: Space, A: Shape<S>> Shape<S> for Branch<A> {
     const BODIES: Option<usize> = A::BODIES;
     const JOINTS: Option<usize> = A::JOINTS;
     const LOOPS: usize = A::LOOPS;
+    const SHARES: bool = A::SHARES;
     const LINEAR: bool = A::LINEAR;
     const ROTARY: bool = A::ROTARY;
     const OWN_AXES: bool = A::OWN_AXES;

@@ -80,6 +80,7 @@ macro_rules! chain_items {
                 $length
             };
             const LOOPS: usize = A::LOOPS;
+            const SHARES: bool = A::SHARES;
             const LINEAR: bool = A::LINEAR;
             const ROTARY: bool = A::ROTARY;
             const OWN_AXES: bool = A::OWN_AXES;

@@ -56,6 +56,7 @@ impl<S: Space, E: Shape<S>> Shape<S> for Named<E> {
     const BODIES: Option<usize> = E::BODIES;
     const JOINTS: Option<usize> = E::JOINTS;
     const LOOPS: usize = E::LOOPS;
+    const SHARES: bool = E::SHARES;
     const LINEAR: bool = E::LINEAR;
     const ROTARY: bool = E::ROTARY;
     const OWN_AXES: bool = E::OWN_AXES;

@@ -4,7 +4,7 @@ use super::{deeper, sum};
 use crate::element::{Element, Space};
 use crate::lift::lift;
 use crate::mirror::{Tied, TiedPosition};
-use crate::relation::Looped;
+use crate::relation::{Looped, Own};
 use crate::shape::{
     Closing, ClosingEntry, Field, Inward, Main, MainStore, Of, Outward, Parallel, PerAxes, Shape, Side, SideStore,
 };
@@ -81,6 +81,7 @@ impl<S: Space, M: Shape<S>, A: Shape<S>, K: Closing<S>> Shape<S> for Network<M, 
     const BODIES: Option<usize> = sum(M::BODIES, A::BODIES);
     const JOINTS: Option<usize> = sum(sum(M::JOINTS, A::JOINTS), Some(1));
     const LOOPS: usize = 1 + deeper(M::LOOPS, A::LOOPS);
+    const SHARES: bool = <OwnOf<S, K> as Own>::SHARES || M::SHARES || A::SHARES;
     const LINEAR: bool = M::LINEAR && A::LINEAR;
     const ROTARY: bool = M::ROTARY || A::ROTARY;
     const OWN_AXES: bool = M::OWN_AXES || A::OWN_AXES;

@@ -108,6 +108,7 @@ macro_rules! chain_of {
                 $(let deepest = deeper(deepest, $A::LOOPS);)*
                 deepest
             };
+            const SHARES: bool = false $(|| $A::SHARES)*;
             const LINEAR: bool = true $(&& $A::LINEAR)*;
             const ROTARY: bool = false $(|| $A::ROTARY)*;
             const OWN_AXES: bool = false $(|| $A::OWN_AXES)*;

@@ -43,6 +43,7 @@ macro_rules! compound {
                 const BODIES: ::core::option::Option<usize> = <$Parts as $crate::internals::shape::Shape<Spaced>>::BODIES;
                 const JOINTS: ::core::option::Option<usize> = <$Parts as $crate::internals::shape::Shape<Spaced>>::JOINTS;
                 const LOOPS: usize = <$Parts as $crate::internals::shape::Shape<Spaced>>::LOOPS;
+                const SHARES: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::SHARES;
                 const LINEAR: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::LINEAR;
                 const ROTARY: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::ROTARY;
                 const OWN_AXES: bool = <$Parts as $crate::internals::shape::Shape<Spaced>>::OWN_AXES;

@@ -82,11 +82,17 @@ pub struct LoopGain<V: Copy, T: Scalar, C: Closures, O: Own> {
 
 /// Closure forces of a loop, which its own station can eliminate.
 pub trait Own: Solvable {
+    /// Whether forces are shared out, because some closures may follow from others.
+    const SHARES: bool = false;
     /// What the last bodies of both arms would yield to each force if they were free: the measure of pivots of Λ, where an elimination
     /// has to tell them from rounding; nothing where all of them count.
     type Measure<T: Scalar>: Copy;
     /// The measure, from these yields; zero where no body has mass.
     fn measure<T: Scalar>(yields: impl FnOnce() -> Self::Each<T>) -> Self::Measure<T>;
+    /// The measure where the loop is open by this share of its size.
+    fn open<T: Scalar>(measure: Self::Measure<T>, _: T::Real) -> Self::Measure<T> {
+        measure
+    }
 
     /// The sum of pairs.
     fn plus_pairs<T: Scalar>(a: &Self::Pairs<T>, b: &Self::Pairs<T>) -> Self::Pairs<T>;
@@ -214,6 +220,11 @@ impl<V: Copy, T: Scalar, C: Closures, O: Own> LoopGain<V, T, C, O> {
     /// The gain, measured by this.
     pub fn measured(self, measure: O::Measure<T>) -> Self {
         Self { measure, ..self }
+    }
+
+    /// Makes known by what share of its size the loop is open.
+    pub fn open(&mut self, share: T::Real) {
+        self.measure = O::open::<T>(self.measure, share);
     }
 
     /// By which pivots of Λ are measured.

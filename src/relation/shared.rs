@@ -2,7 +2,7 @@
 
 use super::closure::{Closures, Cut, Cuts, Solvable};
 use super::looped::{LoopGain, Looped, Own};
-use super::redundancy::following_share;
+use super::redundancy::{following_share, rounded};
 use crate::scalar::{Elementary, Real, Scalar};
 use num_traits::Zero;
 
@@ -52,7 +52,7 @@ impl<const L: usize> Solvable for Shared<L> {
     }
     /// Of forces that hold a tip, which are never of this type: each pivot is measured by its own diagonal.
     fn solve<T: Scalar>(compliance: &[[T; L]; L], b: &[T; L]) -> [T; L] {
-        let root = root_of_inverse(compliance, &[T::Real::zero(); L]);
+        let root = root_of_inverse(compliance, &([T::Real::zero(); L], T::Real::zero()));
         spread(&root, &gather(&root, b))
     }
 }
@@ -67,30 +67,39 @@ fn spread<T: Scalar, const L: usize>(root: &[[T; L]; L], s: &[T; L]) -> [T; L] {
     core::array::from_fn(|i| (0..L).fold(T::zero(), |sum, k| root[k][i].mul_add(s[k], sum)))
 }
 
+/// By what pivots are measured, for each force, and by what share of its size the loop is open.
+type Measure<T, const L: usize> = ([<T as Scalar>::Real; L], <T as Scalar>::Real);
+
+/// By what the pivot of each force is measured: what has no measure by its own diagonal.
+fn measures<T: Scalar, const L: usize>(compliance: &[[T; L]; L], (yields, _): &Measure<T, L>) -> [T::Real; L] {
+    core::array::from_fn(|i| if yields[i] > T::Real::zero() { yields[i] } else { compliance[i][i].real() })
+}
+
 /// X of Λ, the lower triangle of which is read. Rows beyond its rank are zero.
 ///
 /// What is a pivot, and what the rounding of one, is decided by its share of a `measure` (a diagonal of Λ may itself be rounding: of a
-/// force across the plane in which a linkage moves), and by the largest share: stiff springs of implicit rules shrink them all. What
-/// has no measure is measured by its own diagonal.
-fn root_of_inverse<T: Scalar, const L: usize>(compliance: &[[T; L]; L], measure: &[T::Real; L]) -> [[T; L]; L] {
+/// force across the plane in which a linkage moves), and by the largest share: stiff springs of implicit rules shrink them all. Where the loop
+/// is open what is left of a dependent one is more than rounding.
+fn root_of_inverse<T: Scalar, const L: usize>(compliance: &[[T; L]; L], measure: &Measure<T, L>) -> [[T; L]; L] {
     let whole = |i: usize, j: usize| if j <= i { compliance[i][j] } else { compliance[j][i] };
     let mut rest: [[T; L]; L] = core::array::from_fn(|i| core::array::from_fn(|j| whole(i, j)));
     // Columns of G.
     let mut factors = [[T::zero(); L]; L];
     let mut rank = 0;
     let mut waiting = [true; L];
-    let by = |i: usize| if measure[i] > T::Real::zero() { measure[i] } else { whole(i, i).real() };
-    let largest = (0..L).fold(T::Real::EPSILON.sqrt(), |most, i| (whole(i, i).real() / by(i)).max(most));
-    let least = T::Real::of(following_share(T::Real::EPSILON.as_f64())) * largest;
+    let by = measures(compliance, measure);
+    let largest = (0..L).fold(T::Real::EPSILON.sqrt(), |most, i| (whole(i, i).real() / by[i]).max(most));
+    let least = T::Real::of(following_share(T::Real::EPSILON.as_f64(), measure.1.as_f64())) * largest;
     while rank < L {
         // What the elimination of the others has left of each.
-        let share = |i: usize| rest[i][i].real() / by(i);
+        let share = |i: usize| rest[i][i].real() / by[i];
         let best =
             (0..L).filter(|i| waiting[*i] && share(*i) > least).reduce(|a, b| if share(b) > share(a) { b } else { a });
         let Some(row) = best else { break };
-        waiting[row] = false;
         let inverse = rest[row][row].sqrt().recip();
-        let column: [T; L] = core::array::from_fn(|i| rest[i][row] * inverse);
+        // Of those eliminated nothing is left but rounding, which a small pivot would make much of.
+        let column: [T; L] = core::array::from_fn(|i| if waiting[i] { rest[i][row] * inverse } else { T::zero() });
+        waiting[row] = false;
         for i in 0..L {
             for j in 0..L {
                 rest[i][j] = (-column[i]).mul_add(column[j], rest[i][j]);
@@ -117,9 +126,13 @@ fn root_of_inverse<T: Scalar, const L: usize>(compliance: &[[T; L]; L], measure:
 }
 
 impl<const L: usize> Own for Shared<L> {
-    type Measure<T: Scalar> = [T::Real; L];
-    fn measure<T: Scalar>(yields: impl FnOnce() -> [T; L]) -> [T::Real; L] {
-        yields().map(T::real)
+    const SHARES: bool = true;
+    type Measure<T: Scalar> = Measure<T, L>;
+    fn measure<T: Scalar>(yields: impl FnOnce() -> [T; L]) -> Measure<T, L> {
+        (yields().map(T::real), T::Real::zero())
+    }
+    fn open<T: Scalar>((yields, _): Measure<T, L>, share: T::Real) -> Measure<T, L> {
+        (yields, share)
     }
 
     #[inline(always)]
@@ -129,7 +142,7 @@ impl<const L: usize> Own for Shared<L> {
 
     fn eliminate<V: Copy, T: Scalar, C: Closures>(
         cuts: Cuts<V, T, Looped<C, Self>>,
-        measure: [T::Real; L],
+        measure: Measure<T, L>,
         add: impl Fn(V, T, V) -> V,
         mut absorb: impl FnMut(V, T, T),
     ) -> (Cuts<V, T, C>, LoopGain<V, T, C, Self>) {
@@ -180,13 +193,20 @@ impl<const L: usize> Own for Shared<L> {
 
     /// Closure forces λ that may change while Λ λ does not: where the diagonal of 1 − Λ Λ⁺ is not zero.
     fn undetermined<V: Copy, T: Scalar, C: Closures>(gain: &LoopGain<V, T, C, Self>) -> [bool; L] {
+        let by = measures(&gain.compliance, &gain.measure);
+        // 1 / the smallest pivot, times its measure.
+        let most = gain.factors.iter().fold(T::Real::zero(), |most, row| {
+            row.iter().zip(by).fold(most, |most, (x, by)| (x.real() * x.real() * by).max(most))
+        });
+        let rounded = T::Real::of(rounded(T::Real::EPSILON.as_f64(), most.as_f64().recip()));
+        let rounded = rounded.max(T::Real::EPSILON.sqrt());
         core::array::from_fn(|i| {
             let unit = core::array::from_fn(|j| if i == j { T::one() } else { T::zero() });
             let image: [T; L] =
                 core::array::from_fn(|j| if j <= i { gain.compliance[i][j] } else { gain.compliance[j][i] });
             // Row i of Λ Λ⁺.
             let kept = Cut::<L>::plus_dot(T::zero(), &image, &spread(&gain.factors, &gather(&gain.factors, &unit)));
-            (kept.real() - T::Real::of(1.0)).abs() > T::Real::EPSILON.sqrt()
+            (kept.real() - T::Real::of(1.0)).abs() > rounded
         })
     }
 }

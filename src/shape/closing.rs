@@ -34,7 +34,8 @@ pub trait Closing<S: Space>: Clone + 'static {
     fn joint(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> S::JointMotion;
     /// The force and torque that closure forces are.
     fn internal(&self, forces: &<Self::Closures as Closures>::Each<S::Scalar>, axes: Ends<'_, S, Self>) -> WrenchOf<S>;
-    /// Residual of the closure, in place and in velocity: by how much the end of the side arm misses that of the main one.
+    /// Residual of the closure, in place and in velocity: by how much the end of the side arm misses that of the main one. Where they stand comes first,
+    /// how they are turned after that.
     fn residual(&self, side: &FrameOf<S>, main: &FrameOf<S>) -> [<Self::Closures as Closures>::Each<S::Scalar>; 2];
     /// How much the outboard end of a free body would yield to each of the forces.
     fn free_compliance(&self, body: &S::BodyMotion) -> <Self::Closures as Closures>::Each<S::Scalar>;

@@ -49,6 +49,8 @@ pub trait Shape<S: Space>: Clone + 'static {
     const JOINTS: Option<usize>;
     /// How deep loops are nested inside.
     const LOOPS: usize = 0;
+    /// Whether forces of a loop inside are shared out, because some of its closures may follow from others.
+    const SHARES: bool = false;
     /// Angles inside whose sines are found before bodies are posed (more than any type says where a vector decides).
     const SINES: usize = 0;
     /// Whether a joint inside leads from axes of bodies back to inertial ones, and has to be told how its body is turned.

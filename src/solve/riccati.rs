@@ -13,6 +13,7 @@ use crate::relation::{Acceleration, Closures, Part, Solvable};
 use crate::shape::{Kept, PerAxes, PerBody, PerJoint, Rates};
 use crate::space::FrameOf;
 use crate::visit::{Visit, survey, survey_posed};
+use crate::walks::apart::apart;
 use crate::walks::entries::{Entry, entries};
 use crate::walks::exert::Exert;
 use crate::walks::faced::faced;
@@ -143,6 +144,9 @@ pub fn sweep<S: Space, E, W, R, P>(
                 chain.pose(position, rate, ground.turn, sizes, x, y, p, q)
             }
         };
+    if const { E::SHARES } {
+        apart::<S, E, W::Closures>(chain, *ground, position, rate, kept);
+    }
     if const { W::Loads::ON && spread::is_listed::<S, E, W::Loads>() } {
         spread::loads(chain, *loads, (|x| x, |x| x), on_bodies, in_joints);
     } else if W::Loads::ON {

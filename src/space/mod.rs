@@ -43,6 +43,8 @@ pub trait Space: Geometry {
     fn blank() -> (Self::X, Self::Y, Self::P, Self::Q);
     /// The size of what has none.
     fn no_size() -> Self::Size;
+    /// Numbers of a place.
+    const PLACES: usize;
     /// Whether bodies turn about more than one axis.
     const TURNS_ABOUT_LINES: bool = false;
 

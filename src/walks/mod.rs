@@ -14,6 +14,7 @@
 //! targets without wide registers; poses; lumping of point masses, which changes elements; and the walks of derivatives
 //! ([`Sensitive`](crate::sensitive::Sensitive)), for which the plain element has to become a store.
 
+pub mod apart;
 pub mod broken;
 pub mod burden;
 pub mod carrier;

@@ -170,6 +170,8 @@ impl<T: Scalar> JointMotion<T> {
 }
 
 impl<T: Scalar> Space for Planar<T> {
+    const PLACES: usize = 2;
+
     type Size = T;
     type X = T;
     type Y = T;

@@ -132,6 +132,8 @@ impl<T: Scalar> JointMotion<T> {
 }
 
 impl<T: Scalar> Space for Spatial<T> {
+    const PLACES: usize = 3;
+
     /// Nothing: bodies form their postures while they are oriented.
     type Size = ();
     /// Axes of a body that needs them; for a joint its axes and its arm.

@@ -5,6 +5,7 @@ mod arms_in_arrays;
 mod assembly;
 mod assembly_held;
 mod between_steps;
+mod dead_points;
 mod force_elements;
 mod half_turns;
 mod ladders;
