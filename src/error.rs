@@ -170,7 +170,8 @@ pub enum Fault {
     },
     /// A transfer matrix does not exist here: the joint is the centre of percussion of what lies outboard.
     SingularTransfer,
-    /// The tip cannot be brought to where it is held, the ends of a loop to each other, or joints to where couplings have them, from this guess.
+    /// The tip cannot be brought to where it is held, the ends of a loop to each other, or joints to where couplings have them, from this guess. In
+    /// a run: the ends of a loop that [`LeastNorm`](crate::planar::LeastNorm) closes have come apart, as where two drives contradict each other.
     NotClosed {
         /// Residual of the closures or couplings (m, or rad for an angle).
         residual: f64,

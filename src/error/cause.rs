@@ -30,6 +30,11 @@ pub enum Cause {
         /// The angle (rad).
         angle: f64,
     },
+    /// [`Fault::NotClosed`].
+    NotClosed {
+        /// Residual of the closures (m, or rad for an angle).
+        residual: f64,
+    },
     /// [`Fault::RedundantClosures`].
     RedundantClosures {
         /// What one of those that depend on others holds.
@@ -50,6 +55,7 @@ impl Cause {
             Fault::NotFinite { parameter } => Self::NotFinite { parameter },
             Fault::SingularJoint => Self::SingularJoint,
             Fault::AngleOutOfRange { angle } => Self::AngleOutOfRange { angle },
+            Fault::NotClosed { residual } => Self::NotClosed { residual },
             Fault::RedundantClosures { closure, independent, of } => {
                 Self::RedundantClosures { closure, independent, of }
             }
@@ -66,6 +72,7 @@ impl Cause {
             Self::NotFinite { parameter } => Fault::NotFinite { parameter },
             Self::SingularJoint => Fault::SingularJoint,
             Self::AngleOutOfRange { angle } => Fault::AngleOutOfRange { angle },
+            Self::NotClosed { residual } => Fault::NotClosed { residual },
             Self::RedundantClosures { closure, independent, of } => {
                 Fault::RedundantClosures { closure, independent, of }
             }

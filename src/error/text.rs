@@ -109,7 +109,7 @@ impl fmt::Display for Fault {
             Fault::NotClosed { residual } => {
                 write!(
                     f,
-                    "what is held together cannot be brought there from this guess: it misses by {residual} (m, or rad)",
+                    "what is held together cannot be brought there from this motion: it misses by {residual} (m, or rad)",
                     residual = Number(residual)
                 )
             }

@@ -64,7 +64,7 @@ where
         let system = self.plan.system;
         system.fits(&self.past)?;
         system.loadable(self.plan.loads)?;
-        system.accept(&self.past)?;
+        system.stands(&self.past)?;
         system.suited(&self.past, self.plan.loads)?;
         let mut loosened = false;
         if System::<S, R, C, P>::CLOSED > 0 {

@@ -37,7 +37,8 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// ```
     ///
     /// # Errors
-    /// [`Fault::NotClosed`] where no correction leads there, at the place that misses most; those of [`with_accelerations`](Self::with_accelerations).
+    /// [`Fault::NotClosed`] where no correction leads there, at the place that misses most, or where loops that [`LeastNorm`](crate::chain::LeastNorm)
+    /// closes stay open by more than 1e-5 of their size; those of [`with_accelerations`](Self::with_accelerations).
     pub fn assembled<L: Loading<S>>(
         &self,
         mut motion: MotionOf<S, R, C, P>,
@@ -153,6 +154,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             // Corrections fall until nothing but rounding is left of them. Not the first one, even if it is small: derivatives of
             // dual numbers follow real parts.
             if pass > 0 && (step <= tiny || (step <= small && step + step >= last)) {
+                self.closes(motion)?;
                 return self.joined(motion, loads, |residual| Fault::NotClosed { residual });
             }
             last = step;

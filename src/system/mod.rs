@@ -39,6 +39,7 @@ mod start;
 mod statics;
 mod strut_readings;
 mod sweeps;
+mod torn;
 mod turning;
 mod under_loads;
 

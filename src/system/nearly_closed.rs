@@ -43,7 +43,7 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let [first, second] = steps;
         let [near, nearer] = [NEAR, NEARER].map(RealOf::<S>::of);
         if first <= Self::tolerances().0 || (first <= near && second <= first * nearer) {
-            return Ok(());
+            return self.closes(&now);
         }
         Err(self.not_assembled(motion, Level::Place))
     }

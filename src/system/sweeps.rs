@@ -116,21 +116,8 @@ where
     }
 
     fn accept(&self, motion: &MotionOf<S, R, C, P>) -> Result<(), Error> {
-        let (mut finite, mut far) = (true, false);
-        motion.position.visit(&mut |x| {
-            finite &= x.is_finite();
-            far |= x.exceeds(S::Scalar::ANGLE_RANGE);
-        });
-        motion.rate.visit(&mut |x| finite &= x.is_finite());
-        motion.acceleration.visit(&mut |x| finite &= x.is_finite());
-        let error = |fault| Err(Error::new(fault).at_time(motion.time.as_f64()));
-        if !finite {
-            return error(Fault::NonFiniteMotion);
-        }
-        if far && let Some(angle) = self.angle_out_of_range(motion) {
-            return error(Fault::AngleOutOfRange { angle });
-        }
-        self.stands_on_ground(motion.time)
+        self.stands(motion)?;
+        self.holds_together(motion)
     }
 
     fn diagnose(&self, motion: &MotionOf<S, R, C, P>, loads: &L, workspace: &mut Self::Workspace) -> Error {
@@ -244,6 +231,28 @@ impl<S: Space, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     pub(crate) const LOOPED: bool = <Elements<S, R, C> as Shape<S>>::LOOPS > 0;
     /// How deep closures are nested: loops, and the ground to which a tip is held.
     pub(crate) const CLOSED: usize = C::LOOPS + (P::Closures::COUNT > 0) as usize;
+
+    /// Whether forces of a loop are shared out.
+    pub(crate) const SHARES: bool = <Elements<S, R, C> as Shape<S>>::SHARES;
+
+    /// Refuses a motion that is not finite, or an angle out of range.
+    pub(crate) fn stands(&self, motion: &MotionOf<S, R, C, P>) -> Result<(), Error> {
+        let (mut finite, mut far) = (true, false);
+        motion.position.visit(&mut |x| {
+            finite &= x.is_finite();
+            far |= x.exceeds(S::Scalar::ANGLE_RANGE);
+        });
+        motion.rate.visit(&mut |x| finite &= x.is_finite());
+        motion.acceleration.visit(&mut |x| finite &= x.is_finite());
+        let error = |fault| Err(Error::new(fault).at_time(motion.time.as_f64()));
+        if !finite {
+            return error(Fault::NonFiniteMotion);
+        }
+        if far && let Some(angle) = self.angle_out_of_range(motion) {
+            return error(Fault::AngleOutOfRange { angle });
+        }
+        self.stands_on_ground(motion.time)
+    }
 
     /// Refuses a ground whose motion is no number.
     fn stands_on_ground(&self, time: RealOf<S>) -> Result<(), Error> {

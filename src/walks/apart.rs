@@ -1,10 +1,11 @@
 //! By how much loops are open, relative to their size, where their forces are shared out.
 
-use crate::relation::{Closures, VectorSpace};
+use crate::element::Coordinates;
+use crate::relation::{Closures, Own, VectorSpace};
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::shape::{
     AtBody, AtJoint, Body, Closing, Joint, Kept, Main, Mut, Of, Outward, OwnOf, Parallel, Positions, Rates, Ref, Shape,
-    Side, Slot, Walk, Way,
+    Side, Slot, Walk, Way, alike,
 };
 use crate::space::{FrameOf, RealOf, Space};
 use core::marker::PhantomData;
@@ -21,6 +22,25 @@ pub fn apart<S: Space, E: Shape<S>, C: Closures>(
 ) {
     let mut walk = Apart::<S, C> { open: Zero::zero(), closures: PhantomData };
     chain.outward(&mut walk, (frame, Zero::zero()), (position, rate, kept));
+}
+
+/// What is left open in loops whose forces are shared out, if anything: the largest share of a loop's size, the residual in its place (m, rad), and the
+/// station of the joint that should close it. Entry 0 is the root's joint.
+pub fn torn<S: Space, E: Shape<S>>(chain: &E, frame: FrameOf<S>, motion: Coordinates<'_, S, E>) -> Torn<RealOf<S>> {
+    let mut walk = Tear::<S> { met: 0, worst: Torn { share: Zero::zero(), residual: Zero::zero(), entry: 0 } };
+    chain.outward(&mut walk, (frame, Zero::zero()), (motion.position, motion.rate));
+    walk.worst
+}
+
+/// A loop that is open.
+#[derive(Clone, Copy, Debug)]
+pub struct Torn<R> {
+    /// The largest residual, of places as a share of the way around the loop, of turns in rad.
+    pub share: R,
+    /// The largest residual (m, rad).
+    pub residual: R,
+    /// Bodies and joints met before its closing joint.
+    pub entry: usize,
 }
 
 /// A place, and how long the way is that leads there from where the innermost loop begins (m).
@@ -94,6 +114,55 @@ impl<S: Space, C: Closures> Outward<S> for Apart<S, C> {
         self.open = self.open.max(share);
         gain.open(self.open);
         self.open = self.open.max(outside);
+        (main.0, way + main.1)
+    }
+}
+
+/// Looks for the loop that is open most, of those whose forces are shared out.
+struct Tear<S: Space> {
+    met: usize,
+    worst: Torn<RealOf<S>>,
+}
+
+impl<S: Space> Walk<S> for Tear<S> {
+    type Carried = Reached<S>;
+    type Stores = (Ref<Positions>, Ref<Rates>);
+}
+
+impl<S: Space> Outward<S> for Tear<S> {
+    alike!();
+
+    fn body<B: Body<S>>(&mut self, body: &B, reached: Reached<S>, _: AtBody<'_, S, Self, B>) -> Reached<S> {
+        self.met += 1;
+        led::<S>(reached, body.motion(reached.0).1)
+    }
+    fn joint<J: Joint<S>>(
+        &mut self,
+        joint: &J,
+        reached: Reached<S>,
+        (position, rate): AtJoint<'_, S, Self, J>,
+    ) -> Reached<S> {
+        self.met += 1;
+        led::<S>(reached, joint.motion(reached.0, position, rate, rate).1)
+    }
+    fn parallel<N: Parallel<S>>(
+        &mut self,
+        net: &N,
+        (frame, way): Reached<S>,
+        stores: Of<'_, S, Self, N>,
+    ) -> Reached<S> {
+        let (main, side, _) = <Self as Walk<S>>::Stores::fork::<N>(stores);
+        let begin = (frame, Zero::zero());
+        let main = net.main_arm().outward(self, begin, main);
+        let side = net.side_arm().outward(self, begin, side);
+        if const { <OwnOf<S, N> as Own>::SHARES } {
+            let [residual, share] = missed::<S, N>(net, &main, &side);
+            // What is no number is told as such by others.
+            if share > self.worst.share {
+                self.worst = Torn { share, residual, entry: self.met };
+            }
+        }
+        self.met += 1;
         (main.0, way + main.1)
     }
 }

@@ -17,4 +17,5 @@ mod space;
 mod stiff_struts;
 mod struts;
 mod struts_with_laws;
+mod torn_loops;
 mod trees;
