@@ -38,7 +38,8 @@
 //! **Redundant closures.** Loops in space often close more than they have to: a flat four-bar of revolutes holds each of three things twice.
 //! That is [`RedundantClosures`](crate::Fault::RedundantClosures), with the name of one; make one of its joints a
 //! [`Universal`](crate::spatial::Universal) and close it by a [`Ball`](crate::spatial::Ball), or close it by
-//! [`LeastNorm`](crate::planar::LeastNorm), which shares the forces out. Some mechanisms meet places where closures become dependent
+//! [`LeastNorm`](crate::planar::LeastNorm), which shares the forces out, and refuses loops that do not close for all that
+//! ([`NotClosed`](crate::Fault::NotClosed)), at the start or on the way. Some mechanisms meet places where closures become dependent
 //! for an instant (dead points): steps are taken over these, by [`Taylor`](crate::planar::Taylor) as by others, for which stages of `Dop853` lead over them.
 //! Where a step of a given size, or one to a tolerance of many digits, falls on such a place so that the motion is lost in rounding, the run ends in an
 //! error that names the closure: `Dop853` at steps of 1 ms under error control, and `Sdirk4` below a tolerance of 1e-9, do so in a parallelogram of 1 m.
