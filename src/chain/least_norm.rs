@@ -14,7 +14,8 @@ use crate::space::FrameOf;
 ///
 /// **Near dead points** closures that are needed hold down to about 1e-5 rad (in single precision 1e-2 rad): there what the loop yields to them
 /// is no more than axes given to six digits leave of those that follow from others. Nearer than that accelerations are those of the dead point itself,
-/// where a closure less holds, and a motion may stray by as much (1e-5 rad) before it is held again. Where closures follow from others in closed postures alone,
+/// where a closure less holds: what passes strays by a few 1e-5 rad at most before it is held again, what is to rest there chatters so, in very many steps, or
+/// ends in an error. Where closures follow from others in closed postures alone,
 /// as in Bennett's linkage, they also do so where the loop is open, as far as that explains what it yields.
 ///
 /// **Loops that cannot close**, for a pivot out of the plane, an axis that leans, or two drives that contradict each other, are no such loops: where corrections

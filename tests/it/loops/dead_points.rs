@@ -5,7 +5,7 @@ use catena::loading::Unloaded;
 use catena::spatial::*;
 use catena::system::{Position, Rate};
 use catena::{Error, planar};
-use catena_oracle::near;
+use catena_oracle::{Noise, near};
 
 /// Lengths of crank and rocker, and of coupler and ground (m).
 const SHORT: f64 = 0.5;
@@ -188,6 +188,58 @@ fn what_is_held_twice_is_told_next_to_dead_points() -> Result<(), Error> {
         assert!(
             shared.iter().all(|(station, name)| *station == 7 && (name.starts_with('z') || name.starts_with("tilt")))
         );
+    }
+    Ok(())
+}
+
+/// Linkages of any lengths with a + b = c + d, and of any masses, next to where all bars lie on one line: as in the plane, where that
+/// takes closures for independent.
+#[test]
+fn linkages_that_become_flat_move_as_in_the_plane() -> Result<(), Error> {
+    let mut noise = Noise::new(11);
+    for angle in [1e-1_f64, 1e-2, 1e-3, 1e-4, 3e-5] {
+        let (mut worst, mut count) = (0.0_f64, 0);
+        while count < 100 {
+            let [a, b, c] = [(); 3].map(|()| noise.between(0.2, 2.0));
+            let masses = [(); 3].map(|()| noise.between(0.1, 5.0));
+            let d = a + b - c;
+            // The triangle of coupler and rocker, by half its angle.
+            let [x, y] = [d - a * angle.cos(), -a * angle.sin()];
+            let across = x.hypot(y);
+            let square = (c * c - (b - across).powi(2)) / (4.0 * b * across);
+            if d < 0.1 || !(0.0..1.0).contains(&square) {
+                continue;
+            }
+            let coupler = y.atan2(x) + 2.0 * square.sqrt().asin();
+            let end = [a * angle.cos() + b * coupler.cos(), a * angle.sin() + b * coupler.sin()];
+            let rocker = end[1].atan2(end[0] - d);
+            let twin = {
+                let bar = |length: f64, mass: f64| {
+                    planar::Rod::new(length, mass, 0.5 * length, mass * length * length / 12.0)
+                };
+                let main = (planar::Pin, bar(a, masses[0]), planar::Pin, bar(b, masses[1]));
+                let side = (planar::RigidBody::massless([d, 0.0]), planar::Pin, bar(c, masses[2]));
+                let net = planar::Network::new(main, side, planar::Pin);
+                let scene = planar::System::new(planar::Clamped::at(0.0, 0.0, 0.0), net, planar::Free)?;
+                let scene = scene.with_gravity(GRAVITY);
+                let posture = scene.at_rest(&[angle, coupler, rocker])?;
+                scene.with_accelerations(posture, &Unloaded).map(|found| rates(found.acceleration()))
+            };
+            let Ok(twin) = twin else { continue };
+            let main = (hinge(), rod(a, masses[0]), hinge(), rod(b, masses[1]));
+            let side = (RigidBody::massless([d, 0.0, 0.0]), hinge(), rod(c, masses[2]));
+            let scene = System::new(Clamped::origin(), Network::new(main, side, LeastNorm(hinge())), Free)?;
+            let scene = scene.with_gravity([0.0, -GRAVITY, 0.0]);
+            let found = scene.with_accelerations(scene.at_rest(&[angle, coupler - angle, rocker])?, &Unloaded)?;
+            let found = rates(found.acceleration());
+            let size = twin.iter().fold(1.0_f64, |most, x| most.max(x.abs()));
+            for (found, twin) in [found[0], found[0] + found[1], found[2]].iter().zip(twin) {
+                worst = worst.max((found - twin).abs() / size);
+            }
+            count += 1;
+        }
+        println!("{angle:e}: {worst:.1e}");
+        assert!(worst < 1e-9);
     }
     Ok(())
 }
