@@ -60,6 +60,9 @@ use num_traits::{One, Zero};
 
 /// Elementary functions of a number.
 pub trait Elementary: Sized {
+    /// Whether numbers are rows of Jacobians by states and torques, so that costates need no sums by parameters.
+    const ROWS: bool = false;
+
     /// Square root.
     fn sqrt(self) -> Self;
 
@@ -118,9 +121,6 @@ pub trait Scalar:
 
     /// Whether a number is several of equal standing: lanes, of which none decides for the others.
     const LANES: bool = false;
-
-    /// Whether numbers are rows of Jacobians by states and torques, so that costates need no sums by parameters.
-    const ROWS: bool = false;
 
     /// The constant `value`: no derivatives, the same in every lane.
     fn constant(value: Self::Real) -> Self;

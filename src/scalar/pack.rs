@@ -77,6 +77,8 @@ macro_rules! functions {
 }
 
 impl<T: Scalar, const N: usize> Elementary for Pack<T, N> {
+    const ROWS: bool = true;
+
     #[cfg_attr(optimised, inline(always))]
     fn sin_cos(self) -> (Self, Self) {
         let first = self.first();
@@ -98,7 +100,6 @@ impl<T: Scalar, const N: usize> Scalar for Pack<T, N> {
     type Real = T::Real;
     const ANGLE_RANGE: T::Real = T::ANGLE_RANGE;
     const LANES: bool = T::LANES;
-    const ROWS: bool = true;
 
     #[inline(always)]
     fn constant(value: T::Real) -> Self {

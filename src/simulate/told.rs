@@ -28,7 +28,7 @@ where
     /// Steps until one ends at a time (s) or later, which cuts none of them short.
     ///
     /// Loads may have changed since the last call, as when a controller sets a `Cell` that they read: the next step begins with what they cause now, as
-    /// after [`resume`](Simulation::resume). Under error control steps end where they end: a controller that samples at given times has fixed steps, or
+    /// after [`resume`](crate::simulate::Simulation::resume). Under error control steps end where they end: a controller that samples at given times has fixed steps, or
     /// runs from one sample to the next.
     ///
     /// ```

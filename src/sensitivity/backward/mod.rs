@@ -39,7 +39,7 @@ use crate::error::{Error, Fault};
 use crate::loading::EffortOf;
 use crate::mirror::Rate;
 use crate::relation::{Absent, Additive, Geometry};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Elementary, Real};
 use crate::stepper::advances;
 use crate::system::{Dynamics, Elements, MotionOf, RateOf, Runs, System};
 pub use checkpoints::Checkpoints;
