@@ -9,6 +9,9 @@
 //! | robots in axes of their bodies | arms that begin with `BodyAxes` and end with a [`Flange`](crate::robot::Flange) |
 //! | the ground holds several arms | a `Clamped` root, arms that begin with `RigidBody::massless` |
 //!
+//! A platform on legs is best written with its pose as coordinates: a main arm of three [`Prismatic`](crate::spatial::Prismatic) with massless bodies between,
+//! a [`Ball`](crate::spatial::Ball) and the platform, and the legs as side arms, each closed at its end. Then `assembled_holding` the pose is inverse kinematics.
+//!
 //! A guess does not have to close: `assembled` closes it by the least change of coordinates, or says by how much it cannot. Where the guess is far off,
 //! what is least is not the same on all sides (by inertia near, by angles from afar), so that the start may jump where lengths or the guess change a
 //! little, and with it a cost that an optimisation follows: there say which coordinates stay, by `assembled_holding`.
