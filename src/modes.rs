@@ -59,6 +59,14 @@ impl Limits {
     }
 }
 
+impl Limits {
+    /// What rounding is measured by along a direction, by the root of the mass matrix and the largest squared frequency: a light coordinate takes more from
+    /// that of the forces that heavy ones bear.
+    fn share(&self, root: &DMatrix<f64>, along: &DVector<f64>, stiffest: f64) -> f64 {
+        (root.amax() * along.amax()).powi(2).max(1.0) * stiffest.max(GRAVITY)
+    }
+}
+
 /// Differences that disagree by more than this share, and by so many times what they leave, are of a force that has a kink.
 const KINK: f64 = 0.1;
 const FAR: f64 = 1e4;
@@ -220,8 +228,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         for k in order {
             let (square, vector) = (eigen.eigenvalues[k], eigen.eigenvectors.column(k));
             let along = root.solve_upper_triangular(&vector).ok_or_else(singular)?;
-            // A light coordinate takes more from rounding of the forces that heavy ones bear.
-            let share = (root.amax() * along.amax()).powi(2).max(1.0) * stiffest.max(GRAVITY);
+            let share = limits.share(&root, &along, stiffest);
             if square.abs() > flat.max(limits.noise * share) {
                 way.axpy(vector.dot(&pull) / square, &vector, 1.0);
             } else if (vector.dot(&pull) * along.amax()).abs() > limits.pull * share {

@@ -8,7 +8,7 @@ use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::scalar::{Real, Scalar};
-use crate::system::{Dynamics, Inertial, MotionOf, Runs, StiffDynamics, System, differenced};
+use crate::system::{Inertial, MotionOf, Runs, StiffDynamics, System, differenced};
 use nalgebra::{Complex, DMatrix, DVector};
 use num_traits::Zero;
 use std::vec::Vec;
@@ -80,7 +80,7 @@ impl<T: Scalar> ComplexModes<T> {
         self.modes.iter()
     }
 
-    /// The largest growth (1/s): the motion is unstable where it is positive beyond rounding, which is some 1e-8 of the largest |λ| where
+    /// The largest growth (1/s): the motion is unstable where it is positive beyond rounding, which is some 1e-7 of the largest |λ| where
     /// a coordinate moves freely.
     pub fn largest_growth(&self) -> f64 {
         self.modes.iter().fold(f64::NEG_INFINITY, |most, mode| most.max(mode.growth()))
@@ -119,7 +119,8 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     /// # Errors
     /// [`Fault::NotSteady`] where coordinates accelerate, then or a while later: a ball that precesses does, in the axes of its body, and three
     /// hinges in its place do not; [`Fault::Unsupported`] where the scene is another one a while later, as a rotor with two blades on
-    /// supports that are not alike, or under loads over time, where a force has a kink, where joints stick or have hard stops, and over lanes;
+    /// supports that are not alike, what spins about an axis of inertia of its own and is coupled to a root that floats, whose coordinates do not turn with it,
+    /// or under loads over time, where a force has a kink that makes accelerations others by a fifth, where joints stick or have hard stops, and over lanes;
     /// [`Fault::NotClosed`] and others of [`assembled`](Self::assembled) where closures do not let it go on; those of a sweep.
     pub fn complex_modes<L: Loading<S>>(
         &self,
@@ -141,9 +142,6 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             return Err(error(Fault::Unsupported { what }));
         }
         let weighted = Weighted::of(&root.qr().r(), &slopes).ok_or_else(|| error(Fault::SingularJoint))?;
-        if !weighted.matrix.iter().all(|x| x.is_finite()) {
-            return Err(self.diagnose(steady, loads, &mut self.workspace()));
-        }
         let what = "complex modes whose eigenvalues QR does not find";
         let pairs = pairs(&weighted.matrix).ok_or_else(|| error(Fault::Unsupported { what }))?;
         Ok(ComplexModes { modes: pairs.iter().map(|pair| weighted.mode(&tangent, &slopes, pair)).collect() })
@@ -210,21 +208,14 @@ impl Weighted {
 }
 
 impl<T: Scalar> Slopes<T> {
-    /// uᵀ (dA) x, real and imaginary part, of which nothing but derivatives is left: as displacements stray, dA is the change of columns less
-    /// A times that of displacements.
+    /// uᵀ (dA) x, real and imaginary part, of which nothing but derivatives is left.
     fn derivatives(&self, left: &DVector<Complex<f64>>, right: &DVector<Complex<f64>>) -> [T; 2] {
-        let size = self.columns.len();
-        let own = |x: T| x - T::constant(x.real());
         let mut sums = [T::zero(); 2];
-        for j in 0..size {
-            for i in 0..size {
-                let mut entry = own(self.columns[j][i]);
-                for k in 0..size {
-                    entry -= self.strays[j][k].scale(self.columns[k][i].real());
-                }
-                let weight = left[i] * right[j];
-                sums[0] += entry.scale(Real::of(weight.re));
-                sums[1] += entry.scale(Real::of(weight.im));
+        for (column, right) in self.columns.iter().zip(right.iter()) {
+            for (entry, left) in column.iter().zip(left.iter()) {
+                let (own, weight) = (*entry - T::constant(entry.real()), left * right);
+                sums[0] += own.scale(Real::of(weight.re));
+                sums[1] += own.scale(Real::of(weight.im));
             }
         }
         sums

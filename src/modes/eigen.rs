@@ -24,6 +24,8 @@ const SQUARE: f64 = 1e-6;
 const TRIALS: usize = 4;
 /// Steps of QR for each row.
 const ROUNDS: usize = 200;
+/// By how many roundings of the matrix eigenvalues are shifted for inverse iteration: of several with one vector pivots go with the square.
+const SHIFTS: [f64; 5] = [1.0, -3.0, 1e3, -1e6, 1e9];
 /// Steps of inverse iteration.
 const STEPS: usize = 3;
 
@@ -49,7 +51,7 @@ pub(super) fn pairs(matrix: &DMatrix<f64>) -> Option<Vec<Pair>> {
         .map(|(matrix, others): (_, Vec<_>)| vector(matrix, *value, size, &others, k));
         pairs.push(Pair { value: *value, right, left });
         if k + 1 == values.len() || (values[k + 1] - pairs[first].value).norm() > ALIKE * size {
-            paired(&whole, &mut pairs[first..]);
+            paired(&whole, &mut pairs[first..], LEFT_OVER * size);
         }
     }
     Some(pairs)
@@ -86,15 +88,24 @@ fn vector(
     seed: usize,
 ) -> DVector<Complex<f64>> {
     let n = matrix.nrows();
-    // A little off, so that there is a solution.
-    let shifted = matrix - DMatrix::from_diagonal_element(n, n, value + Complex::from(size * f64::EPSILON));
-    let solver = shifted.clone().lu();
+    let shifted = |shift: f64| {
+        let shift = value + Complex::from(size * f64::EPSILON * shift);
+        (matrix - DMatrix::from_diagonal_element(n, n, shift)).lu()
+    };
+    // A little off, so that there is a solution; further where pivots are zero for all that.
+    let solver = SHIFTS.into_iter().map(shifted).find(|solver| solver.is_invertible());
+    let Some(solver) = solver else { return DVector::repeat(n, Complex::from(f64::NAN)) };
     let square = iterated(&solver, others, n, seed);
-    if others.is_empty() || (&shifted * &square).norm() < LEFT_OVER * size {
+    if others.is_empty() || left_over(matrix, value, &square) < LEFT_OVER * size {
         square
     } else {
         iterated(&solver, &[], n, seed)
     }
+}
+
+/// What is left of a vector of length one that an eigenvalue does not explain.
+fn left_over(matrix: &DMatrix<Complex<f64>>, value: Complex<f64>, vector: &DVector<Complex<f64>>) -> f64 {
+    (matrix * vector - vector * value).norm()
 }
 
 fn iterated(
@@ -124,12 +135,14 @@ fn iterated(
     vector.unscale(size)
 }
 
-/// Makes left vectors of one eigenvalue such that uᵀ x = 1, and zero for others, and the eigenvalues those of their vectors.
-fn paired(matrix: &DMatrix<Complex<f64>>, pairs: &mut [Pair]) {
+/// Makes left vectors of one eigenvalue such that uᵀ x = 1, and zero for others, and the eigenvalues those of their vectors, where these are found.
+fn paired(matrix: &DMatrix<Complex<f64>>, pairs: &mut [Pair], most: f64) {
     let (count, n) = (pairs.len(), matrix.nrows());
     let products = DMatrix::from_fn(count, count, |i, j| pairs[i].left.dot(&pairs[j].right));
-    let least = products.clone().svd(false, false).singular_values.min();
-    let inverse = products.try_inverse().filter(|_| least > SQUARE);
+    let sound = products.iter().all(|x| x.re.is_finite() && x.im.is_finite());
+    let inverse = (sound && products.clone().svd(false, false).singular_values.min() > SQUARE)
+        .then(|| products.try_inverse())
+        .flatten();
     let Some(inverse) = inverse else {
         pairs.iter_mut().for_each(|pair| pair.left.fill(Complex::from(f64::NAN)));
         return;
@@ -137,6 +150,9 @@ fn paired(matrix: &DMatrix<Complex<f64>>, pairs: &mut [Pair]) {
     let old: Vec<_> = pairs.iter().map(|pair| pair.left.clone()).collect();
     for (i, pair) in pairs.iter_mut().enumerate() {
         pair.left = DVector::from_fn(n, |row, _| (0..count).map(|k| inverse[(i, k)] * old[k][row]).sum());
-        pair.value = pair.left.dot(&(matrix * &pair.right));
+        let value = pair.left.dot(&(matrix * &pair.right));
+        if left_over(matrix, value, &pair.right) < most {
+            pair.value = value;
+        }
     }
 }

@@ -7,26 +7,27 @@
 //!
 //! where D is the differential of the retraction: of a ball that turns at v, ξ′ = η − v × ξ in axes of its body.
 
-use super::dense;
+use super::{Limits, dense};
 use crate::dense::Tangent;
 use crate::element::{Element, Level, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::loading::couples;
 use crate::mirror::{Position, Rate, Retraction};
+use crate::observe::each_body;
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::system::{
-    Dynamics, GRAVITY, Inertial, Keeps, MotionOf, RateOf, Runs, StiffDynamics, System, Way, differenced, numbers, set,
-    stencil, step, unit,
+    Dynamics, GRAVITY, Inertial, Keeps, MotionOf, PositionOf, RateOf, Runs, StiffDynamics, System, Way, coordinates,
+    differenced, numbers, set, stencil, step, unit,
 };
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector, SVD};
 use num_traits::{One, Zero};
 use std::vec::Vec;
 
-/// Where the scene is asked again whether it is linearised alike: so much of the time in which the fastest mode turns by one.
+/// Where the scene is asked again whether it is linearised alike: bodies have turned by so much (rad), or so long later (s).
 const LATER: f64 = 0.61;
-/// Entries below such a share of the largest by positions, or by rates, are compared with that share of it.
+/// Entries of a row are compared with the largest of it by positions, or by rates, or with this share of the largest of both.
 const SMALL: f64 = 1e-3;
-
 /// So many roundings are left of accelerations where all coordinates are as heavy.
 const ROUNDINGS: f64 = 16.0;
 
@@ -39,14 +40,19 @@ pub(super) struct Steady<T: Scalar> {
     pub root: DMatrix<f64>,
 }
 
-/// How (ξ, η) change, a column for each of ξ and then of η.
+/// How (ξ, η) change: (ξ′, η′) for units of ξ and then of η, a column for each.
 pub(super) struct Slopes<T: Scalar> {
-    /// (ξ′, η′) for unit displacements.
     pub columns: Vec<Vec<T>>,
-    /// By how much displacements are others than they were to be, of jets: what closes a scene may change with its numbers.
-    pub strays: Vec<Vec<T>>,
     /// By which share differences disagree.
     pub kink: T::Real,
+}
+
+/// What a displacement is in truth, by its size.
+struct Moved<T> {
+    /// Displacements ξ and η along directions: where closures put it back they are others than they were to be.
+    displaced: Vec<T>,
+    /// ∂(D(ξ) v).
+    turned: Vec<T>,
 }
 
 impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
@@ -63,23 +69,24 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         rest.rate.replace(&mut |_| S::Scalar::zero());
         self.accelerate(&mut steady, loads, &mut self.workspace())?;
         let tangent = Tangent::of(numbers(&rest.rate).len(), self.rate_conditions(&rest, loads));
-        let slopes = self.slopes(&steady, &tangent, loads);
         let root = dense(&tangent.restrict(&self.mass_root(&rest)));
+        let (slopes, speed) = (self.slopes(&steady, &tangent, loads), largest(&numbers(&steady.rate)));
+        if !slopes.columns.iter().flatten().all(|x| x.is_finite()) {
+            return Err(self.diagnose(&steady, loads, &mut self.workspace()));
+        }
         let unsteady = |motion: &MotionOf<S, R, C, P>| {
-            let acceleration = pull(&tangent, &motion.acceleration);
-            let fault = Fault::NotSteady { acceleration: acceleration.as_f64() };
-            (acceleration > slopes.most_of(&motion.rate)).then(|| Error::new(fault).at_time(motion.time.as_f64()))
+            let pull = tangent.components(&numbers(&motion.acceleration));
+            let fault = Fault::NotSteady { acceleration: largest(&pull).as_f64() };
+            if slopes.stands(&root, &pull, speed) {
+                Ok(())
+            } else {
+                Err(Error::new(fault).at_time(motion.time.as_f64()))
+            }
         };
-        if let Some(error) = unsteady(&steady) {
-            return Err(error);
-        }
-        let fastest = Elementary::sqrt(slopes.largest()[0]).max(slopes.largest()[1]);
-        let fastest = if fastest > RealOf::<S>::zero() { fastest } else { RealOf::<S>::one() };
-        let later = self.later(&steady, RealOf::<S>::of(LATER) / fastest, loads)?;
-        if let Some(error) = unsteady(&later) {
-            return Err(error);
-        }
-        if !slopes.are(&self.slopes(&later, &tangent, loads), rounding(&root)) {
+        unsteady(&steady)?;
+        let later = self.later(&steady, loads)?;
+        unsteady(&later)?;
+        if !slopes.are(&self.slopes(&later, &tangent, loads), speed, rounding(&root)) {
             let what =
                 "complex modes of what vibrates otherwise a while later, for its coefficients are functions of time";
             return Err(Error::new(Fault::Unsupported { what }).at_time(motion.time.as_f64()));
@@ -87,16 +94,22 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(Steady { tangent, slopes, root })
     }
 
-    /// The motion a while (s) later, if rates stay.
-    fn later<L: Loading<S>>(
-        &self,
-        steady: &MotionOf<S, R, C, P>,
-        after: RealOf<S>,
-        loads: &L,
-    ) -> Result<MotionOf<S, R, C, P>, Error>
+    /// The fastest that a body turns (rad/s).
+    fn fastest_spin(&self, motion: &MotionOf<S, R, C, P>) -> RealOf<S> {
+        let mut fastest = RealOf::<S>::zero();
+        each_body(self.elements(), self.ground(motion.time), coordinates(motion), |body| {
+            let spin = S::carried(body).spin;
+            fastest = fastest.max(spin.dot(&spin).sqrt());
+        });
+        fastest
+    }
+
+    /// The motion a while later, if rates stay.
+    fn later<L: Loading<S>>(&self, steady: &MotionOf<S, R, C, P>, loads: &L) -> Result<MotionOf<S, R, C, P>, Error>
     where
         Self: Runs<L, S, R, C, P>,
     {
+        let after = RealOf::<S>::of(LATER) / self.fastest_spin(steady).max(RealOf::<S>::of(LATER));
         let mut later = steady.clone();
         later.time += after;
         later.position.drift_0(&steady.position, (after, &steady.rate));
@@ -127,47 +140,54 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     {
         let n = tangent.dimension();
         let mut workspace = self.stiff_workspace();
-        let mut slopes: Slopes<S::Scalar> = Slopes { columns: Vec::new(), strays: Vec::new(), kink: Zero::zero() };
+        let (mut columns, mut displacements, mut kinks) = (Vec::new(), Vec::new(), RealOf::<S>::zero());
         let mut direction = steady.rate.clone();
         let mut lead = |j| {
             let along: Vec<RealOf<S>> = unit(n, j).collect();
             set(&mut direction, tangent.vector(&along).into_iter().map(S::Scalar::constant));
             direction.clone()
         };
+        let closes = const { Self::CLOSED > 0 || couples::<S, L>() };
+        let keeps = if closes { Keeps::Motion } else { Keeps::Nothing };
         for level in [Level::Place, Level::Velocity] {
             let directions: Vec<_> = (0..n).map(&mut lead).collect();
-            let ways: Vec<_> =
-                directions.iter().map(|direction| Way { level, direction, keeps: Keeps::Motion }).collect();
+            let ways: Vec<_> = directions.iter().map(|direction| Way { level, direction, keeps }).collect();
             let changes: Vec<_> =
                 ways.iter().map(|way| self.change(steady, way, step(), loads, &mut workspace)).collect();
             let largest = changes.iter().fold(RealOf::<S>::zero(), |most, change| most.max(change.size));
-            for (j, (way, first)) in ways.iter().zip(changes).enumerate() {
+            for (way, first) in ways.iter().zip(changes) {
                 let ([mut change, springs], kink) =
                     self.beside_kinks(steady, way, largest, first, loads, &mut workspace);
-                slopes.kink = slopes.kink.max(kink);
+                kinks = kinks.max(kink);
                 change.iter_mut().zip(springs).for_each(|(sum, more)| *sum += more);
-                let (stray, turned) = self.strays(steady, tangent, way, loads);
-                let faster = |k| {
-                    if matches!(level, Level::Velocity) && k == j { RealOf::<S>::one() } else { RealOf::<S>::zero() }
+                let number = displacements.len();
+                let Moved { displaced, turned } = if closes || PositionOf::<S, R, C>::CURVED {
+                    self.displacement(steady, tangent, way, loads)
+                } else {
+                    Moved { displaced: Vec::new(), turned: std::vec![S::Scalar::zero(); n] }
                 };
+                let displaced = if closes { displaced } else { unit(2 * n, number).collect() };
                 let mut column: Vec<S::Scalar> =
-                    (0..n).map(|k| S::Scalar::constant(faster(k)) + stray[n + k] - turned[k] - turned[k]).collect();
+                    displaced[n..].iter().zip(turned).map(|(faster, turned)| *faster - turned - turned).collect();
                 column.append(&mut tangent.components(&change));
-                slopes.columns.push(column);
-                slopes.strays.push(stray);
+                columns.push(column);
+                displacements.push(displaced);
             }
         }
-        slopes
+        if closes {
+            by_units(&mut columns, displacements);
+        }
+        Slopes { columns, kink: kinks }
     }
 
-    /// By how much displacements are others than they were to be, but for real parts, and what the differential of the retraction makes of rates.
-    fn strays<L: Loading<S>>(
+    /// What a displacement along a way is.
+    fn displacement<L: Loading<S>>(
         &self,
         steady: &MotionOf<S, R, C, P>,
         tangent: &Tangent<RealOf<S>>,
         way: &Way<'_, RateOf<S, R, C>>,
         loads: &L,
-    ) -> (Vec<S::Scalar>, Vec<S::Scalar>)
+    ) -> Moved<S::Scalar>
     where
         Self: Runs<L, S, R, C, P>,
     {
@@ -186,45 +206,76 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             }
         }
         let [displaced, faster, turned] = sums.map(|sum| tangent.components(&numbers(&sum)));
-        let derivatives = |x: S::Scalar| x - S::Scalar::constant(x.real());
-        (displaced.into_iter().chain(faster).map(derivatives).collect(), turned)
+        Moved { displaced: displaced.into_iter().chain(faster).collect(), turned }
     }
 }
 
 impl<T: Scalar> Slopes<T> {
-    /// The largest change of accelerations by positions, and by rates.
-    fn largest(&self) -> [T::Real; 2] {
-        let n = self.columns.len() / 2;
-        [&self.columns[..n], &self.columns[n..]].map(|list| {
-            list.iter().flat_map(|column| &column[n..]).fold(T::Real::zero(), |most, x| most.max(x.real().abs()))
-        })
-    }
-
-    /// The largest acceleration that differences and rounding leave.
-    fn most_of<V: Rate<T>>(&self, rate: &V) -> T::Real {
-        let [by_position, by_rate] = self.largest();
-        let speed = largest(&numbers(rate));
-        let forces = by_position + by_rate * speed + speed * speed;
-        let rounding = T::Real::EPSILON * T::Real::of(1e3 * GRAVITY);
-        forces * differenced::<T::Real>() + rounding
+    /// Whether accelerations are next to nothing: where the motion would not accelerate is not far (rad, m), and nothing pulls where nothing drives back.
+    fn stands(&self, root: &DMatrix<f64>, pull: &[T], speed: T::Real) -> bool {
+        let n = pull.len();
+        if n == 0 {
+            return true;
+        }
+        let triangle = root.clone().qr().r();
+        let by_position = DMatrix::from_fn(n, n, |i, j| self.columns[j][n + i].real().as_f64());
+        let image = (&triangle * by_position).transpose();
+        let Some(weighted) = triangle.tr_solve_upper_triangular(&image) else { return true };
+        let pull = &triangle * DVector::from_iterator(n, pull.iter().map(|x| x.real().as_f64()));
+        let Some(SVD { u: Some(left), v_t: Some(right), singular_values }) =
+            SVD::try_new(weighted.transpose(), true, true, f64::EPSILON, 1000 * n)
+        else {
+            return false;
+        };
+        let (limits, stiffest, mut way) = (Limits::of::<T::Real>(), singular_values.max(), DVector::zeros(n));
+        for (k, size) in singular_values.iter().enumerate() {
+            let (part, right) = (left.column(k).dot(&pull), right.row(k).transpose());
+            let Some(along) = triangle.solve_upper_triangular(&right) else { return true };
+            let share = limits.share(&triangle, &along, stiffest.max(speed.as_f64().powi(2)));
+            if *size > (limits.flat * stiffest).max(limits.noise * share) {
+                way.axpy(part / size, &right, 1.0);
+            } else if (part * along.amax()).abs() > limits.pull * share {
+                return false;
+            }
+        }
+        triangle.solve_upper_triangular(&way).is_none_or(|way| way.amax() <= limits.off)
     }
 
     /// Whether other slopes are these, but for what differences leave, and rounding, that of accelerations of light coordinates.
-    fn are(&self, other: &Self, rounding: f64) -> bool {
+    fn are(&self, other: &Self, speed: T::Real, rounding: f64) -> bool {
         let n = self.columns.len() / 2;
-        let largest = self.largest();
         let limit = differenced::<T::Real>();
-        let rounded =
-            (largest[0] + T::Real::of(GRAVITY)) * T::Real::EPSILON / step::<T::Real>() * T::Real::of(rounding);
         (0..2 * n).all(|i| {
-            [0, 1].into_iter().all(|part| {
-                let columns = part * n..(part + 1) * n;
-                let mut most = if i < n { T::Real::one() } else { largest[part] } * T::Real::of(SMALL);
-                columns.clone().for_each(|j| most = most.max(self.columns[j][i].real().abs()));
-                let limit = (limit * most).max(if i < n { T::Real::zero() } else { rounded });
-                columns.clone().all(|j| (self.columns[j][i] - other.columns[j][i]).real().abs() <= limit)
+            let parts = [0..n, n..2 * n];
+            let most = parts
+                .clone()
+                .map(|columns| columns.fold(T::Real::zero(), |most, j| most.max(self.columns[j][i].real().abs())));
+            let forces = most[0] + most[1] * speed + speed * speed + T::Real::of(GRAVITY);
+            let rounded = forces * T::Real::EPSILON / step::<T::Real>() * T::Real::of(rounding);
+            let small = if i < n { T::Real::one() } else { most[0].max(most[1]) } * T::Real::of(SMALL);
+            parts.into_iter().zip(most).all(|(mut columns, most)| {
+                let limit = (limit * most.max(small)).max(rounded);
+                columns.all(|j| (self.columns[j][i] - other.columns[j][i]).real().abs() <= limit)
             })
         })
+    }
+}
+
+/// Makes of slopes along displacements, which are units but for what closures have put back, those along units.
+fn by_units<T: Scalar>(columns: &mut [Vec<T>], mut displacements: Vec<Vec<T>>) {
+    let size = columns.len();
+    for p in 0..size {
+        let inverse = displacements[p][p].recip();
+        let (own, of_own): (Vec<T>, Vec<T>) = (
+            displacements[p].iter().map(|x| *x * inverse).collect(),
+            columns[p].iter().map(|x| *x * inverse).collect(),
+        );
+        for j in (0..size).filter(|j| *j != p) {
+            let share = displacements[j][p];
+            displacements[j].iter_mut().zip(&own).for_each(|(x, own)| *x -= share * *own);
+            columns[j].iter_mut().zip(&of_own).for_each(|(x, own)| *x -= share * *own);
+        }
+        (displacements[p], columns[p]) = (own, of_own);
     }
 }
 
@@ -233,11 +284,6 @@ fn rounding(root: &DMatrix<f64>) -> f64 {
     let sizes = root.singular_values();
     let share = sizes.max() / sizes.min();
     if share.is_finite() { ROUNDINGS * share * share } else { ROUNDINGS }
-}
-
-/// The largest acceleration along the directions that closures leave open.
-fn pull<T: Scalar, V: Rate<T>>(tangent: &Tangent<T::Real>, acceleration: &V) -> T::Real {
-    largest(&tangent.components(&numbers(acceleration)))
 }
 
 fn largest<T: Scalar>(list: &[T]) -> T::Real {

@@ -186,6 +186,44 @@ fn a_bob_nods_as_it_circles() -> Result<(), Error> {
     Ok(())
 }
 
+/// A top on three hinges that leans by θ and precesses steadily, slowly or fast, nods by the curvature of
+/// V(θ) = (p_φ − p_ψ cos θ)² / (2 A sin² θ) + m g h cos θ.
+#[test]
+fn a_top_nods_as_it_precesses() -> Result<(), Error> {
+    use spatial::{Clamped, Free, Revolute, RigidBody, System};
+    let (mass, height, across, along): (f64, f64, f64, f64) = (0.5, 0.1, 0.008, 0.002);
+    let centre = across - mass * height * height;
+    let inertia = [[centre, 0.0, 0.0], [0.0, centre, 0.0], [0.0, 0.0, along]];
+    let top = RigidBody::new(mass, inertia, [0.0, 0.0, height], [0.0, 0.0, height]);
+    let ring = RigidBody::massless([0.0; 3]);
+    let [upright, level] = [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0]].map(Revolute::about);
+    let scene = System::new(Clamped::origin(), (upright, ring, level, ring, upright, top), Free)?;
+    let scene = scene.with_gravity([0.0, 0.0, -G]);
+    let weight = mass * G * height;
+    for lean in [0.4, 0.9, 1.4_f64] {
+        for precession in [0.5, 1.0, 3.0, 10.0, 30.0, 100.0_f64] {
+            let spin = (weight + across * precession * precession * lean.cos()) / (precession * along);
+            let (about_axis, about_vertical) =
+                (along * spin, along * spin * lean.cos() + across * precession * lean.sin().powi(2));
+            let slope = |angle: f64| {
+                let (sine, cosine) = angle.sin_cos();
+                let left = about_vertical - about_axis * cosine;
+                left * about_axis / (across * sine) - left * left * cosine / (across * sine.powi(3)) - weight * sine
+            };
+            let h = 1e-4;
+            let curvature = (8.0 * (slope(lean + h) - slope(lean - h)) - slope(lean + 2.0 * h) + slope(lean - 2.0 * h))
+                / (12.0 * h);
+            let mut start = scene.motion();
+            start.set_coordinates(&[0.3, lean, 0.7])?;
+            let start = scene.with_rates(start, &[precession, 0.0, spin - precession * lean.cos()])?;
+            let modes = scene.complex_modes(&start, &Unloaded)?;
+            let found = modes.iter().last().map_or(f64::NAN, |mode| mode.frequency());
+            near(found, (curvature / across).sqrt(), 1e-7 * (1.0 + found));
+        }
+    }
+    Ok(())
+}
+
 /// Two cranks and a coupler on a table that turns, the cranks straight out: J λ² + c λ + k + Ω² e l (m + M) = 0, over any numbers.
 macro_rules! parallelogram {
     ($length:expr, $number:expr) => {{
@@ -339,6 +377,92 @@ fn what_changes_with_time_has_none() -> Result<(), Error> {
     let top = spatial::System::new(spatial::Pinned::origin(), top, spatial::Free)?;
     let start = top.with_rates(top.motion(), &[1.0, 0.0, 10.0])?;
     assert!(matches!(top.complex_modes(&start, &Unloaded).unwrap_err().fault, Fault::NotSteady { .. }));
+    Ok(())
+}
+
+/// m λ² + c λ + k = 0 about critical damping, where both roots and their vectors become one.
+#[test]
+fn real_roots_are_found_however_near() -> Result<(), Error> {
+    let mut random = Noise::new(11);
+    for k in 0..600 {
+        let (mass, rate) = (random.between(0.1, 5.0), random.between(0.5, 30.0));
+        // One in three critical but for rounding.
+        let more = if k % 3 == 0 { 0.0 } else { 10f64.powf(random.between(-9.0, 1.0)) };
+        let damping = 2.0 * mass * rate * (1.0 + more);
+        let body = RigidBody::new(mass, 1.0, [0.0; 2], [0.0; 2]);
+        let track = Slider::along(0.0).with(Spring::new(mass * rate * rate).damped(damping));
+        let scene = System::new(Clamped::origin(), (track, body), Free)?;
+        let found = eigenvalues(&scene.complex_modes(&scene.motion(), &Unloaded)?);
+        let half = 0.5 * damping / mass;
+        let apart = (half * half - rate * rate).max(0.0).sqrt();
+        // A double root is known to the root of rounding.
+        let tolerance = 1e-12 * (1.0 + half) + (1e-11 * rate * rate / apart.max(1e-5 * rate)).min(1e-6 * rate);
+        for (number, [growth, frequency]) in found.iter().enumerate() {
+            let sign = if found.len() == 1 { 0.0 } else { 2.0 * number as f64 - 1.0 };
+            near(*growth, -half + sign * apart, tolerance.max(if found.len() == 1 { 1e-6 * rate } else { 0.0 }));
+            assert!(*frequency < 1e-6 * rate, "{growth} {frequency}");
+        }
+    }
+    Ok(())
+}
+
+/// A shaft of two rods, elastic in the middle, that spins freely between balls: J z̈ − i J₃ Ω ż + 2 k z = 0, in axes that do not turn.
+#[test]
+fn a_shaft_between_balls_whirls() -> Result<(), Error> {
+    use spatial::{ElasticHinge, Pinned, Prismatic, RigidBody, Rod, System};
+    let small = RigidBody::new(1e-3, [[1e-12, 0.0, 0.0], [0.0, 1e-12, 0.0], [0.0, 0.0, 1e-12]], [0.0; 3], [0.0; 3]);
+    let (length, radius, mass, stiffness) = (0.5, 0.05, 3.0, 60.0);
+    let rod = Rod::uniform(length, radius, mass);
+    let bend = ElasticHinge::rotary([40.0, stiffness, stiffness]);
+    let chain = (rod, bend, rod, Prismatic::along([1.0, 0.0, 0.0]), small);
+    let scene = System::new(Pinned::origin(), chain, Pinned::at([1.0, 0.0, 0.0]))?;
+    for spin in [0.0, 30.0, 300.0] {
+        let mut start = scene.motion();
+        for body in 0..2 {
+            start = scene.with_body_spin(start, body, catena::system::AngularVelocity::Inertial([spin, 0.0, 0.0]))?;
+        }
+        let start = scene.assembled(start, &Unloaded)?;
+        let modes = scene.complex_modes(&start, &Unloaded)?;
+        // Each rod turns by z about its ball, the hinge by 2 z: 4 k z on both together.
+        let along = 0.5 * mass * radius * radius;
+        let about = mass * (length * length / 3.0 + radius * radius / 4.0);
+        let both = roots(about, [-along * spin, 0.0], [-2.0 * stiffness, 0.0]).map(|mu| (mu[0] - spin).abs());
+        for expected in both {
+            let nearest = modes.iter().map(|mode| (mode.frequency() - expected).abs()).fold(f64::INFINITY, f64::min);
+            println!("{spin}: {expected} found but for {nearest:.1e}");
+            assert!(nearest < 1e-6 * (1.0 + expected), "{spin}: {expected} {:?}", eigenvalues(&modes));
+        }
+        assert!(modes.largest_growth() < 1e-3, "{:?}", eigenvalues(&modes));
+    }
+    Ok(())
+}
+
+/// Beside something stiff, which makes all else look small.
+#[test]
+fn what_is_not_steady_is_refused_beside_what_is_stiff() -> Result<(), Error> {
+    let (rod, mass) = (Rod::uniform(1.0, 1.0), RigidBody::new(1.0, 0.1, [0.0; 2], [0.0; 2]));
+    for stiffness in [1e2, 1e4, 1e6, 1e8, 1e10] {
+        let aside = || Branch((Slider::along(0.0).with(Spring::new(stiffness)), mass));
+        // A pendulum aside, and one at rest.
+        let scene = System::new(Clamped::origin(), (aside(), Revolute::smooth(), rod), Free)?.with_gravity(G);
+        for (angle, rests) in [(-0.785, false), (-FRAC_PI_2, true)] {
+            let found = scene.complex_modes(&scene.at_rest(&[angle])?, &Unloaded);
+            match found {
+                Ok(modes) if rests => {
+                    assert!(modes.iter().any(|mode| (mode.frequency() - (1.5 * G).sqrt()).abs() < 1e-3))
+                }
+                Err(error) if !rests => assert!(matches!(error.fault, Fault::NotSteady { .. }), "{error}"),
+                other => panic!("{stiffness} {angle}: {other:?}"),
+            }
+        }
+        // A rotor with two blades on a support along one axis.
+        let support = Slider::along(0.0).with(Spring::new(100.0));
+        let turn = Driven::new(Revolute::smooth(), |t: f64| [4.0 * t, 4.0, 0.0]);
+        let blade = Slider::along(0.0).with(Spring::new(50.0));
+        let rotor = System::new(Clamped::origin(), (aside(), support, mass, turn, light(), blade, mass), Free)?;
+        let error = rotor.complex_modes(&rotor.motion(), &Unloaded).expect_err("its coefficients change");
+        assert!(matches!(error.fault, Fault::Unsupported { what } if what.contains("functions of time")), "{error}");
+    }
     Ok(())
 }
 
