@@ -166,7 +166,7 @@ fn a_parallelogram_goes_through_its_dead_points_as_in_the_plane() -> Result<(), 
         let (angle, rate) = (0.3 + 0.15 * f64::from(k), -3.0 - 0.4 * f64::from(k));
         let start = scene.with_rates(scene.at_rest(&[angle, -angle, angle])?, &[rate, -rate, rate])?;
         let exact = by_hand([angle, rate], 2.0)[0];
-        let coarse = scene.simulation(Rk4::step(1e-2)).run(start.clone(), 2.0, |_| ())?.motion;
+        let coarse = scene.simulation(Rk4::step(1e-2)).run(start, 2.0, |_| ())?.motion;
         let fine = scene.simulation(Dop853::tolerance(1e-9)).run(start, 2.0, |_| ())?.motion;
         let missed = [coarse, fine].map(|end| (positions(end.position())[0] - exact).abs());
         println!("{angle:.2}, {rate:.1}: {:.1e} and {:.1e}", missed[0], missed[1]);

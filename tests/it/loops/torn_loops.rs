@@ -49,13 +49,13 @@ fn a_pivot_out_of_the_plane_is_refused() -> Result<(), Error> {
         let scene = four_bar!(out, 0.0);
         for guess in [closed(1.2), [1.5, -1.4, 1.6]] {
             let guess = scene.at_rest(&guess)?;
-            near(not_closed(scene.assembled(guess.clone(), &Unloaded).map(|_| ()), 7), out, 1e-12);
+            near(not_closed(scene.assembled(guess, &Unloaded).map(|_| ()), 7), out, 1e-12);
             near(not_closed(scene.equilibrium(guess, &Unloaded).map(|_| ()), 7), out, 1e-12);
         }
         let start = scene.at_rest(&closed(1.2))?;
         near(
             not_closed(
-                scene.simulate(start.clone(), Dop853::tolerance(1e-9), 0.1, |_| ()).map(|_| ()).map_err(|x| x.error),
+                scene.simulate(start, Dop853::tolerance(1e-9), 0.1, |_| ()).map(|_| ()).map_err(|x| x.error),
                 7,
             ),
             out,
