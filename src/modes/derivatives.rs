@@ -25,7 +25,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
     {
         let constant = |x: &f64| S::Scalar::constant(Real::of(*x));
-        let mut workspace = self.stiff_workspace();
+        let (mut workspace, root) = (self.stiff_workspace(), self.mass_root(still));
         let rows = self.rate_conditions(still, loads);
         // Rates that undo what is missed, the smallest.
         let back = if rows.is_empty() {
@@ -53,7 +53,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 derivatives.iter().zip(shares).fold(x, |sum, (missed, share)| sum - *missed * constant(share))
             });
             let keeps = if narrow { Keeps::Place } else { Keeps::Nothing };
-            let way = Way { level: Level::Place, direction: &moving.rate, keeps };
+            let way = Way { level: Level::Place, direction: &moving.rate, keeps, root: &root };
             let first = self.change(still, &way, step(), loads, &mut workspace);
             let largest = first.size;
             let ([mut change, springs], _) = self.beside_kinks(still, &way, largest, first, loads, &mut workspace);

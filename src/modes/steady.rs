@@ -8,7 +8,7 @@
 //! where D is the differential of the retraction: of a ball that turns at v, ξ′ = η − v × ξ in axes of its body.
 
 use super::{Limits, dense};
-use crate::dense::Tangent;
+use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Level, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
@@ -69,8 +69,9 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         rest.rate.replace(&mut |_| S::Scalar::zero());
         self.accelerate(&mut steady, loads, &mut self.workspace())?;
         let tangent = Tangent::of(numbers(&rest.rate).len(), self.rate_conditions(&rest, loads));
-        let root = dense(&tangent.restrict(&self.mass_root(&rest)));
-        let (slopes, speed) = (self.slopes(&steady, &tangent, loads), largest(&numbers(&steady.rate)));
+        let mass = self.mass_root(&rest);
+        let root = dense(&tangent.restrict(&mass));
+        let (slopes, speed) = (self.slopes(&steady, (&tangent, &mass), loads), largest(&numbers(&steady.rate)));
         if !slopes.columns.iter().flatten().all(|x| x.is_finite()) {
             return Err(self.diagnose(&steady, loads, &mut self.workspace()));
         }
@@ -86,7 +87,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         unsteady(&steady)?;
         let later = self.later(&steady, loads)?;
         unsteady(&later)?;
-        if !slopes.are(&self.slopes(&later, &tangent, loads), speed, rounding(&root)) {
+        if !slopes.are(&self.slopes(&later, (&tangent, &mass), loads), speed, rounding(&root)) {
             let what =
                 "complex modes of what vibrates otherwise a while later, for its coefficients are functions of time";
             return Err(Error::new(Fault::Unsupported { what }).at_time(motion.time.as_f64()));
@@ -128,11 +129,11 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         Ok(closed)
     }
 
-    /// Slopes along directions.
+    /// Slopes along directions; the root of the mass matrix weighs them.
     fn slopes<L: Loading<S>>(
         &self,
         steady: &MotionOf<S, R, C, P>,
-        tangent: &Tangent<RealOf<S>>,
+        (tangent, root): (&Tangent<RealOf<S>>, &Matrix<RealOf<S>>),
         loads: &L,
     ) -> Slopes<S::Scalar>
     where
@@ -151,7 +152,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let keeps = if closes { Keeps::Motion } else { Keeps::Nothing };
         for level in [Level::Place, Level::Velocity] {
             let directions: Vec<_> = (0..n).map(&mut lead).collect();
-            let ways: Vec<_> = directions.iter().map(|direction| Way { level, direction, keeps }).collect();
+            let ways: Vec<_> = directions.iter().map(|direction| Way { level, direction, keeps, root }).collect();
             let changes: Vec<_> =
                 ways.iter().map(|way| self.change(steady, way, step(), loads, &mut workspace)).collect();
             let largest = changes.iter().fold(RealOf::<S>::zero(), |most, change| most.max(change.size));
@@ -185,7 +186,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         &self,
         steady: &MotionOf<S, R, C, P>,
         tangent: &Tangent<RealOf<S>>,
-        way: &Way<'_, RateOf<S, R, C>>,
+        way: &Way<'_, RateOf<S, R, C>, RealOf<S>>,
         loads: &L,
     ) -> Moved<S::Scalar>
     where

@@ -3,6 +3,7 @@
 use super::inertial::Inertial;
 use super::lists::numbers;
 use super::{Dynamics, MotionOf, RateOf, Runs, StiffDynamics, System};
+use crate::dense::Matrix;
 use crate::element::{Element, Implicit, Level, Loading, Reading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::mirror::{Position, Rate};
@@ -16,11 +17,13 @@ const DIFFERENCES: [(f64, f64, f64); 4] =
     [(1.0, 0.8, 2.0 / 3.0), (2.0, -0.2, -1.0 / 12.0), (3.0, 4.0 / 105.0, 0.0), (4.0, -1.0 / 280.0, 0.0)];
 
 /// The way along which accelerations are asked for.
-pub(crate) struct Way<'a, V> {
+pub(crate) struct Way<'a, V, R> {
     /// Whether positions or rates are displaced.
     pub level: Level,
     pub direction: &'a V,
     pub keeps: Keeps,
+    /// The root of the mass matrix, which weighs accelerations: those of light bodies are large, and tell little of what the others do.
+    pub root: &'a Matrix<R>,
 }
 
 /// What is put back where loops are closed after a displacement.
@@ -37,7 +40,7 @@ pub(crate) enum Keeps {
 pub(crate) struct Change<T: Scalar> {
     /// By all but springs, and by these.
     pub by: [Vec<T>; 2],
-    /// The largest of both.
+    /// The largest of both, weighed.
     pub size: T::Real,
     /// By how much differences of fourth order are others.
     astray: T::Real,
@@ -66,7 +69,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     pub(crate) fn beside_kinks<L: Loading<S>>(
         &self,
         still: &MotionOf<S, R, C, P>,
-        way: &Way<'_, RateOf<S, R, C>>,
+        way: &Way<'_, RateOf<S, R, C>, RealOf<S>>,
         largest: RealOf<S>,
         first: Change<S::Scalar>,
         loads: &L,
@@ -77,7 +80,9 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     {
         let [agree, bent, smaller, two] =
             [differenced(), RealOf::<S>::of(BENT), RealOf::<S>::of(SMALLER), RealOf::<S>::of(2.0)];
-        let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS) * (largest + RealOf::<S>::of(GRAVITY));
+        let heaviest = way.root.rows().flatten().fold(RealOf::<S>::zero(), |most, x| most.max(x.abs()));
+        let forces = largest + RealOf::<S>::of(GRAVITY) * heaviest;
+        let rounding = RealOf::<S>::EPSILON * RealOf::<S>::of(ROUNDINGS) * forces;
         let shares = |change: &Change<S::Scalar>, step: RealOf<S>| {
             [(change.astray, agree), (change.bent, bent)]
                 .map(|(x, limit)| x / change.size.max(rounding / (step * limit)))
@@ -118,7 +123,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     pub(crate) fn change<L: Loading<S>>(
         &self,
         still: &MotionOf<S, R, C, P>,
-        way: &Way<'_, RateOf<S, R, C>>,
+        way: &Way<'_, RateOf<S, R, C>, RealOf<S>>,
         step: RealOf<S>,
         loads: &L,
         workspace: &mut <Self as StiffDynamics<L>>::StiffWorkspace,
@@ -160,9 +165,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
                 }
             }
         }
-        let largest = |most: RealOf<S>, x: RealOf<S>| most.max(x.abs());
-        let size = by.iter().flatten().map(|x| x.real()).fold(none, largest);
-        let [astray, bent] = [0, 1].map(|k| doubts.iter().map(|doubt| doubt[k]).fold(none, largest));
+        let weighed = |list: Vec<RealOf<S>>| {
+            way.root.apply(&list).into_iter().fold(none, |most: RealOf<S>, x: RealOf<S>| most.max(x.abs()))
+        };
+        let [others, springs] = [0, 1].map(|k| weighed(by[k].iter().map(|x| x.real()).collect()));
+        let [astray, bent] = [0, 1].map(|k| weighed(doubts.iter().map(|doubt| doubt[k]).collect()));
+        let size = others.max(springs);
         Change { by, size, astray, bent }
     }
 
@@ -171,7 +179,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         &self,
         near: &mut MotionOf<S, R, C, P>,
         still: &MotionOf<S, R, C, P>,
-        &Way { level, direction, keeps }: &Way<'_, RateOf<S, R, C>>,
+        &Way { level, direction, keeps, .. }: &Way<'_, RateOf<S, R, C>, RealOf<S>>,
         reach: RealOf<S>,
         loads: &L,
     ) where

@@ -133,13 +133,13 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         let mut columns = vec![];
         for j in 0..count {
             lead(&mut direction, j);
-            let way = Way { level: Level::Place, direction: &direction, keeps };
+            let way = Way { level: Level::Place, direction: &direction, keeps, root: &root };
             columns.push(self.change(still, &way, step(), loads, workspace));
         }
         let largest = columns.iter().fold(RealOf::<S>::zero(), |most, column| most.max(column.size));
         for (j, first) in columns.into_iter().enumerate() {
             lead(&mut direction, j);
-            let way = Way { level: Level::Place, direction: &direction, keeps };
+            let way = Way { level: Level::Place, direction: &direction, keeps, root: &root };
             let (changes, disagree) = self.beside_kinks(still, &way, largest, first, loads, workspace);
             kink = kink.max(disagree);
             for (response, change) in responses.iter_mut().zip(changes) {

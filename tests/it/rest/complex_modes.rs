@@ -466,6 +466,41 @@ fn what_is_not_steady_is_refused_beside_what_is_stiff() -> Result<(), Error> {
     Ok(())
 }
 
+/// 1 kg on two springs of 100 N/m in a row, something light between them, and a spring that it touches on one side: right where it rests there are no
+/// modes, and of a spring on both sides those of all.
+#[test]
+fn kinks_are_noticed_beside_light_bodies() -> Result<(), Error> {
+    for (light, more) in [(1.0, 1e2), (0.1, 1e2), (1e-2, 1e3), (1e-4, 1e4), (1e-6, 1e5)] {
+        let body = |mass| RigidBody::new(mass, mass, [0.0; 2], [0.0; 2]);
+        let track = Slider::along(0.0).with(Spring::new(100.0));
+        let scene = System::new(Clamped::origin(), (track, body(light), track, body(1.0)), Free)?;
+        for both in [false, true] {
+            let push = Loads::none().on_bodies(move |_: f64, number, motion: &BodyMotion<f64>| {
+                let place = motion.inboard.place.x;
+                let felt = if number == 1 && (both || place > 0.0) { place } else { 0.0 };
+                motion.force_at([0.0; 2], [-more * felt, 0.0])
+            });
+            let (found, complex) = (scene.modes(&scene.motion(), &push), scene.complex_modes(&scene.motion(), &push));
+            if both {
+                // The light one follows: (2·100 − m ω²)(100 + k − ω²) = 100².
+                let (a, b, c) = (light, -(200.0 + light * (100.0 + more)), 200.0 * (100.0 + more) - 1e4);
+                let root = (b * b - 4.0 * a * c).sqrt();
+                let expected = (2.0 * c / (-b + root)).sqrt();
+                near(found?.frequencies().next().unwrap_or(f64::NAN), expected, 1e-6 * expected);
+                near(complex?.get(0).map_or(f64::NAN, |mode| mode.frequency()), expected, 1e-6 * expected);
+            } else {
+                for error in [found.map(|_| ()), complex.map(|_| ())].map(Result::unwrap_err) {
+                    assert!(
+                        matches!(error.fault, Fault::Unsupported { what } if what.contains("kink")),
+                        "{light}: {error}"
+                    );
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
 #[test]
 fn single_precision_has_them_too() -> Result<(), Error> {
     let hinge = ElasticHinge::rotary(2.0_f32).damped(0.1);
