@@ -54,10 +54,7 @@ fn a_pivot_out_of_the_plane_is_refused() -> Result<(), Error> {
         }
         let start = scene.at_rest(&closed(1.2))?;
         near(
-            not_closed(
-                scene.simulate(start, Dop853::tolerance(1e-9), 0.1, |_| ()).map(|_| ()).map_err(|x| x.error),
-                7,
-            ),
+            not_closed(scene.simulate(start, Dop853::tolerance(1e-9), 0.1, |_| ()).map(|_| ()).map_err(|x| x.error), 7),
             out,
             1e-12,
         );
