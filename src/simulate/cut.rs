@@ -3,7 +3,7 @@
 use super::accept::Taken;
 use super::drive::Running;
 use super::jump::Delay;
-use super::margin::{forward, margin};
+use super::margin::{forward, margin, rounded};
 use super::now::settled;
 use super::shown::Shown;
 use super::{EventFunction, Now};
@@ -48,6 +48,27 @@ where
         Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.next)).0
     }
 
+    /// Whether a mode is to change before the step ends, if the least margin is this there: not for rounding of what holds a joint.
+    fn fails(&mut self, margin: f64) -> bool {
+        let limit = rounded::<S::Scalar>(Mode::Sticks);
+        if margin >= 0.0 || margin < -limit {
+            return margin < 0.0;
+        }
+        let (next, mut moves) = (&mut self.next, false);
+        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
+            moves |= !mode.is_locked() && self::margin(*mode, *rate, &told) < 0.0;
+        });
+        moves
+    }
+
+    /// The least margin where the step begins, with the accelerations that belong to it, and which joint has it.
+    pub(super) fn margin_here(&mut self) -> (f64, usize) {
+        if K::SETTLED {
+            return Self::margins(&mut self.past);
+        }
+        Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.past))
+    }
+
     /// How friction of the joints that stick has changed at most from what is kept, which it replaces, and the least margin of those that do not
     /// move.
     fn pull(motion: &mut MotionOf<S, R, C, P>, kept: &mut RateOf<S, R, C>) -> (f64, f64) {
@@ -84,7 +105,7 @@ where
                     settled(system, loads, &self.between)
                 };
                 let (change, margin) = Self::pull(&mut seen, &mut kept);
-                if margin < 0.0 && k < looks {
+                if margin < -rounded::<S::Scalar>(Mode::Sticks) && k < looks {
                     return Some((theta, margin));
                 }
                 most = most.max(change);
@@ -159,7 +180,7 @@ where
 
     /// Changes the mode of a joint that does not move although nothing holds it where a step of a size (s) begins; whether there is one.
     fn lets_go(&mut self, size: RealOf<S>) -> Result<bool, Error> {
-        let (margin, least) = Self::margins(&mut self.past);
+        let (margin, least) = self.margin_here();
         let locked = Self::joint(&mut self.past, least).is_some_and(|(mode, ..)| mode.is_locked());
         if !locked || margin > 0.0 {
             return Ok(false);
@@ -173,7 +194,7 @@ where
     /// Changes the mode of the joint that is held least where a step of a size (s) begins: what is next is then the motion there. Gives how
     /// much later that is.
     pub(super) fn let_go(&mut self, size: RealOf<S>) -> Result<Delay<S::Scalar>, Error> {
-        let (_, least) = Self::margins(&mut self.past);
+        let (_, least) = self.margin_here();
         let mut pace = RealOf::<S>::zero();
         if const { Self::DERIVED } {
             let memory = self.stepper.memory();
@@ -197,7 +218,7 @@ where
         {
             high = within;
         }
-        if high.1.is_nan() || high.1 >= 0.0 {
+        if high.1.is_nan() || high.1 >= 0.0 || (high.0 >= 1.0 && !self.fails(high.1)) {
             return Ok(None);
         }
         self.located(size, high).map(Some)

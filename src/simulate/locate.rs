@@ -39,7 +39,7 @@ where
     pub(super) fn located(&mut self, size: RealOf<S>, high: (f64, f64)) -> Result<RealOf<S>, Error> {
         let memory = self.stepper.memory();
         // One that has just begun to slip is at rest where the step begins.
-        let (margin, least) = Self::margins(&mut self.past);
+        let (margin, least) = self.margin_here();
         let range = [(0.0, margin), high];
         let guess = self.guessed(size, range)?;
         let mut made_anew = |share| {

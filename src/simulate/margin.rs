@@ -4,6 +4,9 @@ use crate::mirror::{Mode, Told};
 use crate::scalar::{Real, Scalar};
 use num_traits::Zero;
 
+/// Roundings of what holds a joint, as a share of what can hold it.
+const ROUNDINGS: f64 = 1024.0;
+
 /// How far a joint is from a change of its mode: positive before.
 pub(super) fn margin<T: Scalar>(mode: Mode, rate: T, told: &Told<T>) -> f64 {
     let guard = told.guard.real().as_f64();
@@ -15,6 +18,11 @@ pub(super) fn margin<T: Scalar>(mode: Mode, rate: T, told: &Told<T>) -> f64 {
         Mode::SlipsForward | Mode::SlipsBack if nears(mode, told) => forward(mode, rate).min(distance(told)),
         Mode::SlipsForward | Mode::SlipsBack => forward(mode, rate),
     }
+}
+
+/// So much may a joint that does not move be held by more than can hold it, for rounding: where several are at their limits at once each is so.
+pub(super) fn rounded<T: Scalar>(mode: Mode) -> f64 {
+    if mode.is_locked() { ROUNDINGS * T::Real::EPSILON.as_f64() } else { 0.0 }
 }
 
 /// Whether a joint that slips stands still, and is not about to move: what all others hold, whichever way it slips.

@@ -2,7 +2,7 @@
 
 use super::drive::Running;
 use super::jump::{Delay, shifted};
-use super::margin::{forward, idles, margin, meets, rests, touched};
+use super::margin::{forward, idles, margin, meets, rests, rounded, stands, touched};
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
@@ -18,8 +18,26 @@ use num_traits::Zero;
 const ROUNDINGS: f64 = 1e4;
 /// Up to so many roundings of the fastest rate, too.
 const ROUNDED: f64 = 1024.0;
+/// A margin of this is none of a joint whose mode is about to change.
+const BARELY: f64 = 1e-6;
 /// Changes of mode at one instant, besides one of each joint, before it is clear that none are consistent.
 const CHANGES: usize = 64;
+
+/// Some of the first 128 joints.
+#[derive(Clone, Copy, Default)]
+struct Numbers(u128);
+
+impl Numbers {
+    fn has(self, number: usize) -> bool {
+        number < 128 && self.0 >> number & 1 != 0
+    }
+
+    fn add(&mut self, number: usize) {
+        if number < 128 {
+            self.0 |= 1 << number;
+        }
+    }
+}
 
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
 where
@@ -97,6 +115,20 @@ where
         least
     }
 
+    /// A joint that slips and stands, held by others, and is all but pushed back: where it is, its margin falls from none at all.
+    fn pushed_back(motion: &mut MotionOf<S, R, C, P>) -> Option<usize> {
+        let (mut found, mut count) = (None, 0);
+        let most = -0.5 * Mode::reluctance::<RealOf<S>>().as_f64();
+        motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
+            let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack);
+            if slips && stands(*rate) && forward(*mode, told.rate) < most {
+                found = found.or(Some(count));
+            }
+            count += 1;
+        });
+        found
+    }
+
     /// What the joint of a number does, its rate, and what is told of it.
     pub(super) fn joint(
         motion: &mut MotionOf<S, R, C, P>,
@@ -125,7 +157,9 @@ where
         pace: impl FnOnce(&mut Self, usize) -> RealOf<S>,
     ) -> Result<Delay<S::Scalar>, Error> {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
-        let (earliest, mut count, mut strikes, mut breaks) = (Self::margins(&mut next).1, 0, false, false);
+        let ((margin, least), pushed) = (Self::margins(&mut next), Self::pushed_back(&mut next));
+        let earliest = pushed.filter(|_| margin > BARELY).unwrap_or(least);
+        let (mut count, mut strikes, mut breaks) = (0, false, false);
         let holds = Self::holds_others(&mut next, earliest);
         let delay = if const { Self::DERIVED } { self.delay(&mut next, earliest, pace)? } else { Delay::None };
         let before = if const { Self::DERIVED } { Some(next.acceleration.clone()) } else { None };
@@ -195,6 +229,8 @@ where
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, mut least, mut changes) = (Dynamics::<L>::workspace(system), 0, CHANGES);
         let mut prescribed = false;
+        // Joints that were held again for rounding, and those of them that broke away once more: these slip, and stand.
+        let (mut held_again, mut loose) = (Numbers::default(), Numbers::default());
         let next = &mut self.next;
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |_, _, _| changes += 1);
         for _ in 0..changes {
@@ -217,18 +253,21 @@ where
                 let (just, side) = (changed == Some(count), touched(*mode, &told));
                 let pressed = side.is_some_and(|side| side * told.rate.real().as_f64() > -rounding);
                 let resting = rests(*mode, *rate, &told).filter(|_| pressed || !just);
-                let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && rate.real().is_zero();
+                let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && stands(*rate);
                 let second = if slips { forward(*mode, told.rate) } else { 0.0 };
                 let back = second < rounding;
                 // What all others hold does not move but for rounding, whichever way.
-                if second < 0.0 && !just && !prescribed {
+                if second < 0.0 && !just && !prescribed && !loose.has(count) {
                     faint = Some(count);
                 }
                 if let Some(now) = if back { Some(Mode::Sticks) } else { resting } {
+                    if back && !rate.real().is_zero() {
+                        *rate = S::Scalar::zero(); // what stood but for rounding
+                    }
                     *mode = now;
                     (worst, least) = ((f64::INFINITY, Some(usize::MAX)), count);
                 } else if mode.is_locked() {
-                    let over = -margin(*mode, told.rate, &told);
+                    let over = -margin(*mode, told.rate, &told) - rounded::<S::Scalar>(*mode);
                     if over > worst.0 {
                         worst = (over, Some(count));
                     }
@@ -243,8 +282,16 @@ where
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| {
                 if count == worst {
                     *mode = match *mode {
-                        Mode::Sticks => Mode::broken_away(told.guard),
-                        Mode::SlipsForward | Mode::SlipsBack => Mode::Sticks,
+                        Mode::Sticks => {
+                            if held_again.has(count) {
+                                loose.add(count);
+                            }
+                            Mode::broken_away(told.guard)
+                        }
+                        Mode::SlipsForward | Mode::SlipsBack => {
+                            held_again.add(count);
+                            Mode::Sticks
+                        }
                         _ => mode.moving(told.rubs),
                     };
                 }
