@@ -5,7 +5,9 @@ use super::drive::Running;
 use super::jump::Delay;
 use super::margin::{forward, margin, rounded};
 use super::now::settled;
+use super::settle::CHANGES;
 use super::shown::Shown;
+
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
@@ -165,15 +167,19 @@ where
         if const { !Self::CUTS } {
             return Ok(taken);
         }
-        let cut = match self.cut(taken.size) {
-            Err(error) => {
-                if !self.lets_go(taken.size)? {
-                    return Err(error);
+        let mut changes = 0;
+        let cut = loop {
+            match self.cut(taken.size) {
+                Err(error) => {
+                    changes += 1;
+                    // Several may be let go at once, one after the other.
+                    if changes > CHANGES || !self.lets_go(taken.size)? {
+                        return Err(error);
+                    }
+                    taken = self.accepted()?;
                 }
-                taken = self.accepted()?;
-                self.cut(taken.size)?
+                Ok(cut) => break cut,
             }
-            Ok(cut) => cut,
         };
         Ok(cut.map_or(taken, |size| Taken { size, last: false, switches: true, ..taken }))
     }

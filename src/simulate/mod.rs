@@ -18,6 +18,7 @@ mod margin;
 mod now;
 mod prescribed;
 mod saved;
+mod settle;
 mod shock;
 mod shown;
 mod strike;

@@ -2,15 +2,16 @@
 
 use super::drive::Running;
 use super::jump::{Delay, shifted};
-use super::margin::{forward, idles, margin, meets, rests, rounded, stands, touched};
+use super::margin::{forward, idles, margin, meets, rests, stands, touched};
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::loading::couples;
 use crate::mirror::{Mode, Position, Rate, Told, let_all_go, let_last_go, with_joint};
 use crate::scalar::{Real, Scalar};
-use crate::stepper::{Stepper, inconsistent};
+use crate::stepper::Stepper;
 use crate::system::{Dynamics, MotionOf, PositionOf, Runs, System};
 use num_traits::Zero;
 
@@ -20,24 +21,6 @@ const ROUNDINGS: f64 = 1e4;
 const ROUNDED: f64 = 1024.0;
 /// A margin of this is none of a joint whose mode is about to change.
 const BARELY: f64 = 1e-6;
-/// Changes of mode at one instant, besides one of each joint, before it is clear that none are consistent.
-const CHANGES: usize = 64;
-
-/// Some of the first 128 joints.
-#[derive(Clone, Copy, Default)]
-struct Numbers(u128);
-
-impl Numbers {
-    fn has(self, number: usize) -> bool {
-        number < 128 && self.0 >> number & 1 != 0
-    }
-
-    fn add(&mut self, number: usize) {
-        if number < 128 {
-            self.0 |= 1 << number;
-        }
-    }
-}
 
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
 where
@@ -53,6 +36,9 @@ where
 {
     /// Whether there are joints with modes.
     pub(super) const MODES: bool = PositionOf::<S, R, C>::MODES;
+    /// Whether joints may stand because others do. In a chain that nothing closes each is held by its own friction: what stands there and slips has
+    /// just begun to move.
+    pub(super) const HELD_BY_OTHERS: bool = System::<S, R, C, P>::CLOSED > 0 || couples::<S, L>();
     /// Whether steps end where a mode of such a joint changes.
     pub(super) const CUTS: bool = Self::MODES && !K::SWITCHES;
 
@@ -160,7 +146,7 @@ where
         let ((margin, least), pushed) = (Self::margins(&mut next), Self::pushed_back(&mut next));
         let earliest = pushed.filter(|_| margin > BARELY).unwrap_or(least);
         let (mut count, mut strikes, mut breaks) = (0, false, false);
-        let holds = Self::holds_others(&mut next, earliest);
+        let holds = Self::HELD_BY_OTHERS && Self::holds_others(&mut next, earliest);
         let delay = if const { Self::DERIVED } { self.delay(&mut next, earliest, pace)? } else { Delay::None };
         let before = if const { Self::DERIVED } { Some(next.acceleration.clone()) } else { None };
         if let Delay::Moving(delay) = delay {
@@ -221,84 +207,6 @@ where
             self.settle_modes(None)?;
         }
         if const { Self::DERIVED } { self.halted() } else { Ok(()) }
-    }
-
-    /// Finds modes that belong together where the next step begins, and the accelerations there: what friction does not hold breaks away,
-    /// the joint first that it holds least; what leaves its stop does so, and what does not stays. One joint may have just changed its mode.
-    pub(super) fn settle_modes(&mut self, changed: Option<usize>) -> Result<(), Error> {
-        let (system, loads) = (self.plan.system, self.plan.loads);
-        let (mut workspace, mut least, mut changes) = (Dynamics::<L>::workspace(system), 0, CHANGES);
-        let mut prescribed = false;
-        // Joints that were held again for rounding, and those of them that broke away once more: these slip, and stand.
-        let (mut held_again, mut loose) = (Numbers::default(), Numbers::default());
-        let next = &mut self.next;
-        next.position.each_mode(&mut next.rate, &next.acceleration, &mut |_, _, _| changes += 1);
-        for _ in 0..changes {
-            if let Err(error) = system.accelerate(&mut self.next, loads, &mut workspace) {
-                if !matches!(error.fault, Fault::RedundantClosures { .. }) {
-                    return Err(error);
-                }
-                if self.slip_as_prescribed() {
-                    prescribed = true;
-                    continue;
-                }
-                return self.accelerated().map(|_| ());
-            }
-            let next = &mut self.next;
-            // Held least, or pushed back where it is about to move: by rounding alone, if another joint that breaks away too takes it along.
-            let (mut worst, mut faint, mut count) = ((0.0, None), None, 0);
-            let rounding = -Mode::reluctance::<RealOf<S>>().as_f64();
-            next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
-                // What has just changed its mode does not take that back for rounding.
-                let (just, side) = (changed == Some(count), touched(*mode, &told));
-                let pressed = side.is_some_and(|side| side * told.rate.real().as_f64() > -rounding);
-                let resting = rests(*mode, *rate, &told).filter(|_| pressed || !just);
-                let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && stands(*rate);
-                let second = if slips { forward(*mode, told.rate) } else { 0.0 };
-                let back = second < rounding;
-                // What all others hold does not move but for rounding, whichever way.
-                if second < 0.0 && !just && !prescribed && !loose.has(count) {
-                    faint = Some(count);
-                }
-                if let Some(now) = if back { Some(Mode::Sticks) } else { resting } {
-                    if back && !rate.real().is_zero() {
-                        *rate = S::Scalar::zero(); // what stood but for rounding
-                    }
-                    *mode = now;
-                    (worst, least) = ((f64::INFINITY, Some(usize::MAX)), count);
-                } else if mode.is_locked() {
-                    let over = -margin(*mode, told.rate, &told) - rounded::<S::Scalar>(*mode);
-                    if over > worst.0 {
-                        worst = (over, Some(count));
-                    }
-                }
-                count += 1;
-            });
-            let Some(worst) = worst.1.or(faint) else { return Ok(()) };
-            if worst < usize::MAX {
-                least = worst;
-            }
-            let mut count = 0;
-            next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| {
-                if count == worst {
-                    *mode = match *mode {
-                        Mode::Sticks => {
-                            if held_again.has(count) {
-                                loose.add(count);
-                            }
-                            Mode::broken_away(told.guard)
-                        }
-                        Mode::SlipsForward | Mode::SlipsBack => {
-                            held_again.add(count);
-                            Mode::Sticks
-                        }
-                        _ => mode.moving(told.rubs),
-                    };
-                }
-                count += 1;
-            });
-        }
-        Err(inconsistent(least, self.next.time))
     }
 
     /// So long (s) a joint slips on whose rate is zero but for rounding: joints of one freedom come to rest together.
