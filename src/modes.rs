@@ -204,8 +204,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         // Coordinates in which the mass matrix is one: y = R q with weighted velocities Q R.
         let root = dense(&near.root).qr().r();
         let singular = || error(Fault::SingularJoint);
-        let image = (&root * dense(&near.response)).transpose();
-        let stiffness = -root.tr_solve_upper_triangular(&image).ok_or_else(singular)?.transpose();
+        let stiffness = -similar(&root, &dense(&near.response)).ok_or_else(singular)?;
         let asymmetry = (&stiffness - stiffness.transpose()).amax() / stiffness.amax().max(f64::MIN_POSITIVE);
         if !stiffness.iter().all(|x| x.is_finite()) {
             return Err(self.diagnose(&still, loads, &mut workspace));
@@ -262,6 +261,12 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
 fn dense<R: Real>(matrix: &Matrix<R>) -> DMatrix<f64> {
     let entries: Vec<f64> = matrix.rows().flatten().map(|x| x.as_f64()).collect();
     DMatrix::from_row_slice(entries.len() / matrix.columns(), matrix.columns(), &entries)
+}
+
+/// T A T⁻¹ of an upper triangle T, if that has an inverse.
+fn similar(triangle: &DMatrix<f64>, matrix: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let image = (triangle * matrix).transpose();
+    Some(triangle.tr_solve_upper_triangular(&image)?.transpose())
 }
 
 /// The coordinates of a shape given along tangent directions, its largest positive.

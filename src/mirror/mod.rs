@@ -12,6 +12,7 @@ mod clock;
 mod fieldwise;
 mod guarded;
 mod items;
+pub(crate) mod margin;
 mod mode;
 mod number;
 mod tied;

@@ -64,6 +64,11 @@ impl Mode {
         }
     }
 
+    /// Whether the joint moves against friction.
+    pub(crate) fn slips(self) -> bool {
+        matches!(self, Self::SlipsForward | Self::SlipsBack)
+    }
+
     /// Where the joint rests against a stop: −1 at the lower one, 1 at the upper one.
     pub(crate) fn stop(self) -> Option<f64> {
         match self {

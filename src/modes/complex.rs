@@ -2,7 +2,7 @@
 
 use super::eigen::{Pair, pairs};
 use super::steady::{Slopes, Steady};
-use super::{FAR, KINK};
+use super::{FAR, KINK, similar};
 use crate::dense::Tangent;
 use crate::element::{Element, Loading, RealOf};
 use crate::ends::{Root, Tip};
@@ -141,7 +141,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             let what = "modes of vibration where a force has a kink, and another stiffness on each side";
             return Err(error(Fault::Unsupported { what }));
         }
-        let weighted = Weighted::of(&root.qr().r(), &slopes).ok_or_else(|| error(Fault::SingularJoint))?;
+        let weighted = Weighted::of(&root, &slopes).ok_or_else(|| error(Fault::SingularJoint))?;
         let what = "complex modes whose eigenvalues QR does not find";
         let pairs = pairs(&weighted.matrix).ok_or_else(|| error(Fault::Unsupported { what }))?;
         Ok(ComplexModes { modes: pairs.iter().map(|pair| weighted.mode(&tangent, &slopes, pair)).collect() })
@@ -156,7 +156,7 @@ struct Weighted {
 }
 
 impl Weighted {
-    /// Over weights made of the root of the mass matrix, if that is not singular.
+    /// Over weights made of the root of the mass matrix, an upper triangle, if that is not singular.
     fn of<T: Scalar>(root: &DMatrix<f64>, slopes: &Slopes<T>) -> Option<Self> {
         let n = root.nrows();
         let matrix = DMatrix::from_fn(2 * n, 2 * n, |i, j| slopes.columns[j][i].real().as_f64());
@@ -171,8 +171,8 @@ impl Weighted {
         let mut weights = DMatrix::zeros(2 * n, 2 * n);
         weights.view_mut((0, 0), (n, n)).copy_from(&(root * times));
         weights.view_mut((n, n), (n, n)).copy_from(root);
-        let image = (&weights * matrix).transpose();
-        Some(Self { matrix: weights.tr_solve_upper_triangular(&image)?.transpose(), weights })
+        let matrix = similar(&weights, matrix).filter(|matrix| matrix.iter().all(|x| x.is_finite()))?;
+        Some(Self { matrix, weights })
     }
 
     fn mode<T: Scalar>(&self, tangent: &Tangent<T::Real>, slopes: &Slopes<T>, pair: &Pair) -> ComplexMode<T> {

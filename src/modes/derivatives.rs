@@ -6,7 +6,7 @@ use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::mirror::Rate;
 use crate::scalar::{Real, Scalar};
-use crate::system::{Inertial, Keeps, MotionOf, RateOf, Runs, StiffDynamics, System, Way, numbers, set, step};
+use crate::system::{Inertial, Keeps, MotionOf, RateOf, Runs, StiffDynamics, System, Way, numbers, set};
 use nalgebra::{DMatrix, SVD};
 use num_traits::{One, Zero};
 use std::vec::Vec;
@@ -54,9 +54,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
             });
             let keeps = if narrow { Keeps::Place } else { Keeps::Nothing };
             let way = Way { level: Level::Place, direction: &moving.rate, keeps, root: &root };
-            let first = self.change(still, &way, step(), loads, &mut workspace);
-            let largest = first.size;
-            let ([mut change, springs], _) = self.beside_kinks(still, &way, largest, first, loads, &mut workspace);
+            let [mut change, springs] = self.changes(still, &[way], loads, &mut workspace).0.pop().unwrap_or_default();
             change.iter_mut().zip(springs).for_each(|(sum, more)| *sum += more);
             // As large as the shape, for what pairs them loses what one exceeds the other by.
             let largest =

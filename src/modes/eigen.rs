@@ -108,28 +108,28 @@ fn left_over(matrix: &DMatrix<Complex<f64>>, value: Complex<f64>, vector: &DVect
     (matrix * vector - vector * value).norm()
 }
 
+/// A vector by inverse iteration, square to others.
 fn iterated(
     solver: &LU<Complex<f64>, Dyn, Dyn>,
     others: &[&DVector<Complex<f64>>],
     n: usize,
     seed: usize,
 ) -> DVector<Complex<f64>> {
-    let mut vector = generic(n, seed).map(Complex::from);
-    for _ in 0..STEPS {
+    let squared = |mut vector: DVector<Complex<f64>>| {
         for other in others {
             let share = other.dotc(&vector) / Complex::from(other.norm_squared());
             vector.axpy(-share, other, Complex::from(1.0));
         }
+        vector
+    };
+    let mut vector = squared(generic(n, seed).map(Complex::from));
+    for _ in 0..STEPS {
         if let Some(next) = solver.solve(&vector) {
             let size = next.camax();
             if size.is_finite() && !size.is_zero() {
-                vector = next.unscale(size);
+                vector = squared(next.unscale(size));
             }
         }
-    }
-    for other in others {
-        let share = other.dotc(&vector) / Complex::from(other.norm_squared());
-        vector.axpy(-share, other, Complex::from(1.0));
     }
     let size = vector.norm();
     vector.unscale(size)

@@ -7,7 +7,7 @@
 //!
 //! where D is the differential of the retraction: of a ball that turns at v, ξ′ = η − v × ξ in axes of its body.
 
-use super::{Limits, dense};
+use super::{Limits, dense, similar};
 use crate::dense::{Matrix, Tangent};
 use crate::element::{Element, Level, Loading, RealOf};
 use crate::ends::{Root, Tip};
@@ -36,7 +36,7 @@ pub(super) struct Steady<T: Scalar> {
     /// Directions that closures and couplings leave open.
     pub tangent: Tangent<T::Real>,
     pub slopes: Slopes<T>,
-    /// The root of the mass matrix.
+    /// The root of the mass matrix, an upper triangle.
     pub root: DMatrix<f64>,
 }
 
@@ -70,7 +70,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.accelerate(&mut steady, loads, &mut self.workspace())?;
         let tangent = Tangent::of(numbers(&rest.rate).len(), self.rate_conditions(&rest, loads));
         let mass = self.mass_root(&rest);
-        let root = dense(&tangent.restrict(&mass));
+        let root = dense(&tangent.restrict(&mass)).qr().r();
         let (slopes, speed) = (self.slopes(&steady, (&tangent, &mass), loads), largest(&numbers(&steady.rate)));
         if !slopes.columns.iter().flatten().all(|x| x.is_finite()) {
             return Err(self.diagnose(&steady, loads, &mut self.workspace()));
@@ -119,7 +119,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         self.hold(&mut closed, loads, &mut self.workspace())?;
         let [mut astray, mut slower] = [(); 2].map(|()| later.rate.clone());
         closed.position.apart(&later.position, &mut astray);
-        slower.mix_2(&closed.rate, (-RealOf::<S>::one(), &later.rate), (RealOf::<S>::zero(), &later.rate));
+        slower.mix_1(&closed.rate, (-RealOf::<S>::one(), &later.rate));
         let off = differenced::<RealOf<S>>();
         let speed = RealOf::<S>::one() + largest(&numbers(&steady.rate));
         if largest(&numbers(&astray)) > off * speed || largest(&numbers(&slower)) > off * speed {
@@ -153,13 +153,9 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
         for level in [Level::Place, Level::Velocity] {
             let directions: Vec<_> = (0..n).map(&mut lead).collect();
             let ways: Vec<_> = directions.iter().map(|direction| Way { level, direction, keeps, root }).collect();
-            let changes: Vec<_> =
-                ways.iter().map(|way| self.change(steady, way, step(), loads, &mut workspace)).collect();
-            let largest = changes.iter().fold(RealOf::<S>::zero(), |most, change| most.max(change.size));
-            for (way, first) in ways.iter().zip(changes) {
-                let ([mut change, springs], kink) =
-                    self.beside_kinks(steady, way, largest, first, loads, &mut workspace);
-                kinks = kinks.max(kink);
+            let (changes, kink) = self.changes(steady, &ways, loads, &mut workspace);
+            kinks = kinks.max(kink);
+            for (way, [mut change, springs]) in ways.iter().zip(changes) {
                 change.iter_mut().zip(springs).for_each(|(sum, more)| *sum += more);
                 let number = displacements.len();
                 let Moved { displaced, turned } = if closes || PositionOf::<S, R, C>::CURVED {
@@ -218,28 +214,28 @@ impl<T: Scalar> Slopes<T> {
         if n == 0 {
             return true;
         }
-        let triangle = root.clone().qr().r();
         let by_position = DMatrix::from_fn(n, n, |i, j| self.columns[j][n + i].real().as_f64());
-        let image = (&triangle * by_position).transpose();
-        let Some(weighted) = triangle.tr_solve_upper_triangular(&image) else { return true };
-        let pull = &triangle * DVector::from_iterator(n, pull.iter().map(|x| x.real().as_f64()));
+        // What has no inertia at all is refused by what follows.
+        let weighted = similar(root, &by_position).filter(|matrix| matrix.iter().all(|x| x.is_finite()));
+        let Some(weighted) = weighted else { return true };
+        let pull = root * DVector::from_iterator(n, pull.iter().map(|x| x.real().as_f64()));
         let Some(SVD { u: Some(left), v_t: Some(right), singular_values }) =
-            SVD::try_new(weighted.transpose(), true, true, f64::EPSILON, 1000 * n)
+            SVD::try_new(weighted, true, true, f64::EPSILON, 1000 * n)
         else {
             return false;
         };
         let (limits, stiffest, mut way) = (Limits::of::<T::Real>(), singular_values.max(), DVector::zeros(n));
         for (k, size) in singular_values.iter().enumerate() {
             let (part, right) = (left.column(k).dot(&pull), right.row(k).transpose());
-            let Some(along) = triangle.solve_upper_triangular(&right) else { return true };
-            let share = limits.share(&triangle, &along, stiffest.max(speed.as_f64().powi(2)));
+            let Some(along) = root.solve_upper_triangular(&right) else { return true };
+            let share = limits.share(root, &along, stiffest.max(speed.as_f64().powi(2)));
             if *size > (limits.flat * stiffest).max(limits.noise * share) {
                 way.axpy(part / size, &right, 1.0);
             } else if (part * along.amax()).abs() > limits.pull * share {
                 return false;
             }
         }
-        triangle.solve_upper_triangular(&way).is_none_or(|way| way.amax() <= limits.off)
+        root.solve_upper_triangular(&way).is_none_or(|way| way.amax() <= limits.off)
     }
 
     /// Whether other slopes are these, but for what differences leave, and rounding, that of accelerations of light coordinates.

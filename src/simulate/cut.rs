@@ -3,15 +3,14 @@
 use super::accept::Taken;
 use super::drive::Running;
 use super::jump::Delay;
-use super::margin::{forward, margin, rounded};
 use super::now::settled;
 use super::settle::CHANGES;
 use super::shown::Shown;
-
-use super::{EventFunction, Now};
+use super::{EventFunction, Now, Simulation};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
+use crate::mirror::margin::{forward, margin, rounded};
 use crate::mirror::{Mode, Position, Told};
 use crate::scalar::{Elementary, Real, Scalar};
 use crate::stepper::Stepper;
@@ -42,33 +41,39 @@ where
     E: for<'n> EventFunction<Now<'n, S, R, C, P, L>, S::Scalar>,
     O: FnMut(&Now<'_, S, R, C, P, L>),
 {
-    /// The least margin at the end of the step, with the accelerations that belong to it.
-    pub(super) fn margin_ahead(&mut self) -> f64 {
+    /// The least margin at a motion, with the accelerations that belong to it, and which joint has it.
+    fn least(plan: &Simulation<'a, S, R, C, P, L, M, E>, motion: &mut MotionOf<S, R, C, P>) -> (f64, usize) {
         if K::SETTLED {
-            return Self::margins(&mut self.next).0;
+            return Self::margins(motion);
         }
-        Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.next)).0
+        Self::margins(&mut settled(plan.system, plan.loads, motion))
+    }
+
+    /// The least margin where the step begins, and which joint has it.
+    pub(super) fn margin_here(&mut self) -> (f64, usize) {
+        Self::least(&self.plan, &mut self.past)
+    }
+
+    /// The least margin at the end of the step.
+    pub(super) fn margin_ahead(&mut self) -> f64 {
+        Self::least(&self.plan, &mut self.next).0
+    }
+
+    /// The end of the step, with the accelerations that belong to it.
+    fn ahead(&self) -> MotionOf<S, R, C, P> {
+        if K::SETTLED { self.next.clone() } else { settled(self.plan.system, self.plan.loads, &self.next) }
     }
 
     /// Whether a mode is to change before the step ends, if the least margin is this there: not for rounding of what holds a joint.
-    fn fails(&mut self, margin: f64) -> bool {
-        let limit = rounded::<S::Scalar>(Mode::Sticks);
-        if margin >= 0.0 || margin < -limit {
-            return margin < 0.0;
+    fn fails(&mut self, least: f64) -> bool {
+        if least >= 0.0 || least < -rounded::<RealOf<S>>() {
+            return least < 0.0;
         }
-        let (next, mut moves) = (&mut self.next, false);
+        let (mut next, mut moves) = (self.ahead(), false);
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
-            moves |= !mode.is_locked() && self::margin(*mode, *rate, &told) < 0.0;
+            moves |= !mode.is_locked() && margin(*mode, *rate, &told) < 0.0;
         });
         moves
-    }
-
-    /// The least margin where the step begins, with the accelerations that belong to it, and which joint has it.
-    pub(super) fn margin_here(&mut self) -> (f64, usize) {
-        if K::SETTLED {
-            return Self::margins(&mut self.past);
-        }
-        Self::margins(&mut settled(self.plan.system, self.plan.loads, &self.past))
     }
 
     /// How friction of the joints that stick has changed at most from what is kept, which it replaces, and the least margin of those that do not
@@ -107,7 +112,7 @@ where
                     settled(system, loads, &self.between)
                 };
                 let (change, margin) = Self::pull(&mut seen, &mut kept);
-                if margin < -rounded::<S::Scalar>(Mode::Sticks) && k < looks {
+                if margin < -rounded::<RealOf<S>>() && k < looks {
                     return Some((theta, margin));
                 }
                 most = most.max(change);
@@ -129,7 +134,7 @@ where
     /// values and slopes at both ends tell of it, and then what is there.
     fn dip(&mut self, size: RealOf<S>) -> Option<(f64, f64)> {
         let (system, loads) = (self.plan.system, self.plan.loads);
-        let mut next = if K::SETTLED { self.next.clone() } else { settled(system, loads, &self.next) };
+        let mut next = self.ahead();
         for first in (0..).step_by(BLOCK) {
             let [(starts, count), (ends, _)] =
                 [&mut self.past, &mut next].map(|motion| Self::approaches(motion, first, size.as_f64()));

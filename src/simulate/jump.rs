@@ -11,13 +11,13 @@
 //! F. R. Gantmacher, On the stability of periodic motions, J. Appl. Math. Mech. 22, 1958).
 
 use super::drive::Running;
-use super::margin::{meets, touched};
 use super::now::settled;
 use super::strike::Blow;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault, ensure_finite};
+use crate::mirror::margin::{meets, touched};
 use crate::mirror::{Mode, Position, Rate};
 use crate::motion::Motion;
 use crate::relation::Closures;

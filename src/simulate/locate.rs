@@ -2,12 +2,12 @@
 
 use super::crossing::{bracketed, crossing, crossing_within, polished};
 use super::drive::Running;
-use super::margin::nearness;
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
+use crate::mirror::margin::nearness;
 use crate::mirror::{Mode, Told};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};

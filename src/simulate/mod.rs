@@ -14,7 +14,6 @@ mod jump;
 mod kinks;
 pub(crate) mod limits;
 mod locate;
-mod margin;
 mod now;
 mod prescribed;
 mod saved;

@@ -1,11 +1,11 @@
 //! Modes that belong together where several joints change theirs at one instant.
 
 use super::drive::Running;
-use super::margin::{forward, margin, rests, rounded, stands, touched};
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::mirror::margin::{forward, margin, rests, rounded, stands, touched};
 use crate::mirror::{Mode, Position};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
@@ -16,22 +16,6 @@ use num_traits::Zero;
 pub(super) const CHANGES: usize = 64;
 /// What is pushed back by no more than this share of what moves a joint at all may as well not be.
 const FAINT: f64 = 1e-3;
-
-/// Some of the first 128 joints.
-#[derive(Clone, Copy, Default)]
-struct Numbers(u128);
-
-impl Numbers {
-    fn has(self, number: usize) -> bool {
-        number < 128 && self.0 >> number & 1 != 0
-    }
-
-    fn add(&mut self, number: usize) {
-        if number < 128 {
-            self.0 |= 1 << number;
-        }
-    }
-}
 
 impl<'a, S, R, C, P, L, M, E, K, O> Running<'a, S, R, C, P, L, M, E, K, O>
 where
@@ -51,8 +35,6 @@ where
         let (system, loads) = (self.plan.system, self.plan.loads);
         let (mut workspace, mut least, mut changes) = (Dynamics::<L>::workspace(system), 0, CHANGES);
         let mut prescribed = false;
-        // Joints that were held again for rounding, and those of them that broke away once more: these slip, and stand.
-        let (mut held_again, mut loose) = (Numbers::default(), Numbers::default());
         let next = &mut self.next;
         next.position.each_mode(&mut next.rate, &next.acceleration, &mut |_, _, _| changes += 1);
         for _ in 0..changes {
@@ -76,21 +58,20 @@ where
                 let (just, side) = (changed == Some(count), touched(*mode, &told));
                 let pressed = side.is_some_and(|side| side * told.rate.real().as_f64() > -rounding);
                 let resting = rests(*mode, *rate, &told).filter(|_| pressed || !just);
-                let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack) && stands(*rate);
-                let second = if slips { forward(*mode, told.rate) } else { 0.0 };
+                let second = if mode.slips() && stands(*rate) { forward(*mode, told.rate) } else { 0.0 };
                 let back = second < rounding;
                 // What all others hold does not move but for rounding, whichever way.
-                if second < pushed && !just && !prescribed && !loose.has(count) {
+                if second < pushed && !just && !prescribed {
                     faint = Some(count);
                 }
                 if let Some(now) = if back { Some(Mode::Sticks) } else { resting } {
-                    if back && !rate.real().is_zero() {
-                        *rate = S::Scalar::zero(); // what stood but for rounding
+                    if back {
+                        rest(rate);
                     }
                     *mode = now;
                     (worst, least) = ((f64::INFINITY, Some(usize::MAX)), count);
                 } else if mode.is_locked() {
-                    let over = -margin(*mode, told.rate, &told) - rounded::<S::Scalar>(*mode);
+                    let over = -margin(*mode, told.rate, &told) - rounded::<RealOf<S>>();
                     if over > worst.0 {
                         worst = (over, Some(count));
                     }
@@ -105,17 +86,9 @@ where
             next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
                 if count == worst {
                     *mode = match *mode {
-                        Mode::Sticks => {
-                            if held_again.has(count) {
-                                loose.add(count);
-                            }
-                            Mode::broken_away(told.guard)
-                        }
+                        Mode::Sticks => Mode::broken_away(told.guard),
                         Mode::SlipsForward | Mode::SlipsBack => {
-                            held_again.add(count);
-                            if !rate.real().is_zero() {
-                                *rate = S::Scalar::zero();
-                            }
+                            rest(rate);
                             Mode::Sticks
                         }
                         _ => mode.moving(told.rubs),
@@ -125,5 +98,12 @@ where
             });
         }
         Err(inconsistent(least, self.next.time))
+    }
+}
+
+/// Takes a rate that is none but for rounding for none, with the derivatives that one of zero has.
+fn rest<T: Scalar>(rate: &mut T) {
+    if !rate.real().is_zero() {
+        *rate = T::zero();
     }
 }

@@ -6,12 +6,12 @@
 //! that is held and would leave, or is not and moves into its stop, changes; that ends, for the matrix of the problem is that of an energy.
 
 use super::drive::Running;
-use super::margin::touched;
 use super::strike::Blow;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, Space};
 use crate::ends::{Root, Tip};
 use crate::error::Error;
+use crate::mirror::margin::touched;
 use crate::mirror::{Mode, Rate, let_all_go};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;

@@ -2,11 +2,11 @@
 
 use super::drive::Running;
 use super::jump::varied;
-use super::margin::{forward, nearness, touched};
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::mirror::margin::{forward, nearness, touched};
 use crate::mirror::{Mode, Position, Rate, let_all_go, with_joint};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};

@@ -5,11 +5,11 @@
 //! is made by least-index pivoting (R. G. Bland, New finite pivoting rules for the simplex method, Math. Oper. Res. 2, 1977).
 
 use super::drive::Running;
-use super::margin::{forward, idles, margin, stands, touched};
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
+use crate::mirror::margin::{forward, idles, margin, stands, touched};
 use crate::mirror::{Mode, Position, let_last_go, with_joint};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::{Stepper, inconsistent};
@@ -46,8 +46,7 @@ where
     pub(super) fn holds_others(motion: &mut MotionOf<S, R, C, P>, joint: usize) -> bool {
         let (mut found, mut count) = (false, 0);
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack);
-            found |= count != joint && slips && idles(*rate, &told);
+            found |= count != joint && mode.slips() && idles(*rate, &told);
             count += 1;
         });
         found

@@ -2,13 +2,13 @@
 
 use super::drive::Running;
 use super::jump::{Delay, shifted};
-use super::margin::{forward, idles, margin, meets, rests, stands, touched};
 use super::now::settled;
 use super::{EventFunction, Now};
 use crate::element::{Element, Loading, RealOf, Space};
 use crate::ends::{Root, Tip};
 use crate::error::{Error, Fault};
 use crate::loading::couples;
+use crate::mirror::margin::{forward, idles, margin, meets, rests, stands, touched};
 use crate::mirror::{Mode, Position, Rate, Told, let_all_go, let_last_go, with_joint};
 use crate::scalar::{Real, Scalar};
 use crate::stepper::Stepper;
@@ -106,8 +106,7 @@ where
         let (mut found, mut count) = (None, 0);
         let most = -0.5 * Mode::reluctance::<RealOf<S>>().as_f64();
         motion.position.each_mode(&mut motion.rate, &motion.acceleration, &mut |mode, rate, told| {
-            let slips = matches!(*mode, Mode::SlipsForward | Mode::SlipsBack);
-            if slips && stands(*rate) && forward(*mode, told.rate) < most {
+            if mode.slips() && stands(*rate) && forward(*mode, told.rate) < most {
                 found = found.or(Some(count));
             }
             count += 1;
@@ -143,8 +142,8 @@ where
         pace: impl FnOnce(&mut Self, usize) -> RealOf<S>,
     ) -> Result<Delay<S::Scalar>, Error> {
         let mut next = settled(self.plan.system, self.plan.loads, &self.next);
-        let ((margin, least), pushed) = (Self::margins(&mut next), Self::pushed_back(&mut next));
-        let earliest = pushed.filter(|_| margin > BARELY).unwrap_or(least);
+        let ((margin, nearest), pushed) = (Self::margins(&mut next), Self::pushed_back(&mut next));
+        let earliest = pushed.filter(|_| margin > BARELY).unwrap_or(nearest);
         let (mut count, mut strikes, mut breaks) = (0, false, false);
         let holds = Self::HELD_BY_OTHERS && Self::holds_others(&mut next, earliest);
         let delay = if const { Self::DERIVED } { self.delay(&mut next, earliest, pace)? } else { Delay::None };
@@ -221,7 +220,7 @@ where
         let still = self.still();
         let at_event = self.progress.at_event;
         now.position.each_mode(&mut now.rate, &now.acceleration, &mut |mode, rate, told| {
-            let (slips, second) = (matches!(*mode, Mode::SlipsForward | Mode::SlipsBack), told.rate);
+            let (slips, second) = (mode.slips(), told.rate);
             let gain = second.real().as_f64().abs() * still;
             if at_event && slips && !rate.real().is_zero() && rate.real().as_f64().abs() <= gain {
                 (*rate, due) = (S::Scalar::zero(), true);

@@ -49,12 +49,7 @@ where
     /// As [`step`](Self::step); [`Fault::NotFinite`](crate::Fault::NotFinite) for a time that is no number.
     pub fn until(&mut self, time: RealOf<S>) -> Result<(), Error> {
         ensure_finite(time <= RealOf::<S>::INFINITY, "time until which a run is to go on")?;
-        if self.past.time < time && !self.progress.stopped {
-            self.look_anew()?;
-        }
-        while self.past.time < time && self.step()? {}
-        self.see();
-        Ok(())
+        self.go_on(time).0
     }
 
     /// Steps until a time (s), at which the last of them ends, or until the run does. Loads may have changed since the last call, as for
@@ -84,25 +79,28 @@ where
         ensure_finite(time <= RealOf::<S>::INFINITY, "time up to which a run is to go on")?;
         let whole = self.end;
         self.end = whole.min(time);
-        let (outcome, wanted) = self.go_on();
+        let (outcome, wanted) = self.go_on(time);
+        let cut = self.past.time >= self.end;
         self.end = whole;
         outcome?;
         let control = self.plan.rule.control;
-        if let Control::Tolerance(_) = control {
-            // The last step was cut.
+        if let (Control::Tolerance(_), true) = (control, cut) {
             self.progress.size = self.progress.size.max(wanted);
         }
         self.progress.fit(self.past.time, control, self.plan.every)
     }
 
-    /// Steps to the end, under loads as they are now; what the last step was to be (s).
-    fn go_on(&mut self) -> (Result<(), Error>, RealOf<S>) {
+    /// Steps until one ends at a time (s) or later, under loads as they are now; what the last step was to be (s).
+    fn go_on(&mut self, time: RealOf<S>) -> (Result<(), Error>, RealOf<S>) {
         let mut wanted = self.progress.size;
-        if self.progress.stopped || self.past.time >= self.end {
+        // Where no step follows loads stay to be seen.
+        if self.progress.stopped || self.past.time >= time.min(self.end) {
             return (Ok(()), wanted);
         }
         let mut outcome = self.look_anew().map(|()| true);
-        while let Ok(true) = outcome {
+        while let Ok(true) = outcome
+            && self.past.time < time
+        {
             wanted = self.progress.size;
             outcome = self.step();
         }

@@ -13,6 +13,7 @@ mod taylor;
 mod vcabm;
 
 use crate::error::{Cause, Error, Fault};
+use crate::mirror::margin::margin;
 use crate::mirror::{Mode, Position};
 use crate::motion::Motion;
 use crate::scalar::{Real, Scalar};
@@ -82,14 +83,9 @@ fn holds_as_modes_say<D: Dynamics<L>, L>(next: &mut MotionIn<D, L>) -> Result<()
     if const { !D::Position::MODES } {
         return Ok(());
     }
-    let (mut let_go, rounding) = (false, TimeIn::<D, L>::one() + Mode::reluctance());
-    next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, _, told| {
-        let guard = told.guard.real();
-        let_go |= match mode {
-            Mode::Sticks => guard.abs() > rounding,
-            Mode::RestsBelow | Mode::RestsAbove => guard > Mode::reluctance(),
-            _ => false,
-        };
+    let (mut let_go, rounding) = (false, Mode::reluctance::<TimeIn<D, L>>().as_f64());
+    next.position.each_mode(&mut next.rate, &next.acceleration, &mut |mode, rate, told| {
+        let_go |= mode.is_locked() && margin(*mode, *rate, &told) < -rounding;
     });
     let what = "a step of a joint that its friction holds no longer, or that leaves its stop: runs, and steps by `MoreauJean`, let it go, other single steps do not";
     if let_go { Err(Error::new(Fault::Unsupported { what }).at_time(next.time.as_f64())) } else { Ok(()) }

@@ -37,11 +37,11 @@ pub(crate) enum Keeps {
 }
 
 /// How accelerations (m/s², rad/s²) change along a way.
-pub(crate) struct Change<T: Scalar> {
+struct Change<T: Scalar> {
     /// By all but springs, and by these.
-    pub by: [Vec<T>; 2],
+    by: [Vec<T>; 2],
     /// The largest of both, weighed.
-    pub size: T::Real,
+    size: T::Real,
     /// By how much differences of fourth order are others.
     astray: T::Real,
     /// By how much more they change ahead than behind.
@@ -61,12 +61,36 @@ const ROUNDINGS: f64 = 16.0;
 pub(crate) const GRAVITY: f64 = 10.0;
 
 impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
+    /// How accelerations change along each way, by all but springs and by these, and by which share differences disagree at most: much, of a force that
+    /// has a kink there.
+    #[allow(clippy::type_complexity)] // of two kinds of forces, for each way
+    pub(crate) fn changes<L: Loading<S>>(
+        &self,
+        still: &MotionOf<S, R, C, P>,
+        ways: &[Way<'_, RateOf<S, R, C>, RealOf<S>>],
+        loads: &L,
+        workspace: &mut <Self as StiffDynamics<L>>::StiffWorkspace,
+    ) -> (Vec<[Vec<S::Scalar>; 2]>, RealOf<S>)
+    where
+        Self: Runs<L, S, R, C, P> + StiffDynamics<L>,
+    {
+        let first: Vec<_> = ways.iter().map(|way| self.change(still, way, step(), loads, workspace)).collect();
+        let largest = first.iter().fold(RealOf::<S>::zero(), |most, change| most.max(change.size));
+        let mut kink = RealOf::<S>::zero();
+        let changes = ways.iter().zip(first).map(|(way, first)| {
+            let (change, disagree) = self.beside_kinks(still, way, largest, first, loads, workspace);
+            kink = kink.max(disagree);
+            change
+        });
+        (changes.collect(), kink)
+    }
+
     /// What differences that disagree, or bend, are where steps are ever smaller; and by which share of the largest they still do, beyond rounding of what is
     /// as large as the `largest` change by any direction: as a force that has a kink right there does.
     ///
     /// Differences disagree that reach beyond a kink, of a rope that is hardly taut say. They bend if they are others ahead than behind. Of light coordinates
     /// between large forces rounding is more than this allows for: what it bends goes with the inverse of steps, and the longest are best.
-    pub(crate) fn beside_kinks<L: Loading<S>>(
+    fn beside_kinks<L: Loading<S>>(
         &self,
         still: &MotionOf<S, R, C, P>,
         way: &Way<'_, RateOf<S, R, C>, RealOf<S>>,
@@ -120,7 +144,7 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     }
 
     /// How accelerations change where a motion whose joints do not accelerate is displaced along a way, by central differences of a step.
-    pub(crate) fn change<L: Loading<S>>(
+    fn change<L: Loading<S>>(
         &self,
         still: &MotionOf<S, R, C, P>,
         way: &Way<'_, RateOf<S, R, C>, RealOf<S>>,

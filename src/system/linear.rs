@@ -1,6 +1,6 @@
 //! A scene linearised about a position: what statics and modes share.
 
-use super::differences::{Keeps, Way, step};
+use super::differences::{Keeps, Way};
 use super::inertial::Inertial;
 use super::lists::{numbers, set, unit};
 use super::{MotionOf, RateOf, Runs, StiffDynamics, System, coordinates};
@@ -9,10 +9,10 @@ use crate::element::{Element, Level, Loading, RealOf};
 use crate::ends::{Root, Tip};
 use crate::observe::{each_body, each_joint, each_residual};
 use crate::relation::Closures;
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 use alloc::vec;
 use alloc::vec::Vec;
-use num_traits::{One, Zero};
+use num_traits::One;
 
 /// A scene near a position, in the directions that closures and couplings leave open. Linear maps are real; of dual numbers they hold the
 /// real part.
@@ -118,30 +118,24 @@ impl<S: Inertial, R: Root<S>, C: Element<S>, P: Tip<S>> System<S, R, C, P> {
     {
         let freedoms = numbers(&still.rate).len();
         let tangent = Tangent::of(freedoms, self.rate_conditions(still, loads));
-        let mut direction = still.rate.clone();
         // Conditions that follow from others do so where all are met: there displacements have to stay, and go along the directions left open.
         let narrow = tangent.is_redundant();
         let count = if narrow { tangent.dimension() } else { freedoms };
         let mut responses = [(); 2].map(|()| Matrix::zeros(freedoms, count));
-        let (root, mut kink) = (self.mass_root(still), RealOf::<S>::zero());
-        let lead = |direction: &mut RateOf<S, R, C>, j| {
+        let root = self.mass_root(still);
+        let lead = |j| {
             let along: Vec<RealOf<S>> = unit(count, j).collect();
             let along = if narrow { tangent.vector(&along) } else { along };
-            set(direction, along.into_iter().map(S::Scalar::constant));
+            let mut direction = still.rate.clone();
+            set(&mut direction, along.into_iter().map(S::Scalar::constant));
+            direction
         };
         let keeps = if narrow { Keeps::Place } else { Keeps::Nothing };
-        let mut columns = vec![];
-        for j in 0..count {
-            lead(&mut direction, j);
-            let way = Way { level: Level::Place, direction: &direction, keeps, root: &root };
-            columns.push(self.change(still, &way, step(), loads, workspace));
-        }
-        let largest = columns.iter().fold(RealOf::<S>::zero(), |most, column| most.max(column.size));
-        for (j, first) in columns.into_iter().enumerate() {
-            lead(&mut direction, j);
-            let way = Way { level: Level::Place, direction: &direction, keeps, root: &root };
-            let (changes, disagree) = self.beside_kinks(still, &way, largest, first, loads, workspace);
-            kink = kink.max(disagree);
+        let directions: Vec<_> = (0..count).map(lead).collect();
+        let way = |direction| Way { level: Level::Place, direction, keeps, root: &root };
+        let ways: Vec<_> = directions.iter().map(way).collect();
+        let (changes, kink) = self.changes(still, &ways, loads, workspace);
+        for (j, changes) in changes.into_iter().enumerate() {
             for (response, change) in responses.iter_mut().zip(changes) {
                 let change: Vec<_> = change.into_iter().map(|x| x.real()).collect();
                 response.set_column(j, &change);

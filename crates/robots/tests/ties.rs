@@ -50,6 +50,44 @@ fn slip(end: f64) -> f64 {
     place
 }
 
+/// A storey by hand: mass (kg), stiffness (N/m), damping (N·s/m) and friction (N) below it.
+type Storey = [f64; 4];
+
+/// Slips of storeys on a ground that accelerates, by time stepping of order one: impulses of friction by projected Gauss-Seidel, which knows no modes.
+fn stepped<const N: usize>(storeys: [Storey; N], ground: impl Fn(f64) -> f64, (end, steps): (f64, usize)) -> [f64; N] {
+    let h = end / steps as f64;
+    let inverse = |i: usize| 1.0 / storeys[i][0] + if i > 0 { 1.0 / storeys[i - 1][0] } else { 0.0 };
+    let (mut slips, mut speeds, mut rubs) = ([0.0; N], [0.0; N], [0.0; N]); // speeds against the ground
+    let slip = |speeds: &[f64; N], i: usize| speeds[i] - if i > 0 { speeds[i - 1] } else { 0.0 };
+    let push = |speeds: &mut [f64; N], i: usize, impulse: f64| {
+        speeds[i] += impulse / storeys[i][0];
+        if i > 0 {
+            speeds[i - 1] -= impulse / storeys[i - 1][0];
+        }
+    };
+    for step in 0..steps {
+        let pull = ground((step as f64 + 0.5) * h);
+        let forces: [f64; N] = core::array::from_fn(|i| -storeys[i][1] * slips[i] - storeys[i][2] * slip(&speeds, i));
+        speeds.iter_mut().for_each(|speed| *speed -= h * pull);
+        (0..N).for_each(|i| push(&mut speeds, i, h * (forces[i] + rubs[i])));
+        for _ in 0..200 {
+            let mut most = 0.0_f64;
+            for i in 0..N {
+                let wanted: f64 = rubs[i] - slip(&speeds, i) / (h * inverse(i));
+                let found = wanted.clamp(-storeys[i][3], storeys[i][3]);
+                push(&mut speeds, i, h * (found - rubs[i]));
+                most = most.max((found - rubs[i]).abs());
+                rubs[i] = found;
+            }
+            if most < 1e-12 {
+                break;
+            }
+        }
+        (0..N).for_each(|i| slips[i] += h * slip(&speeds, i));
+    }
+    slips
+}
+
 #[test]
 fn a_stack_slides_as_one_block() -> Result<(), Box<dyn std::error::Error>> {
     let expected = slip(3.0);
@@ -79,8 +117,8 @@ fn a_stack_slides_as_one_block() -> Result<(), Box<dyn std::error::Error>> {
         check!(Rk4::step(1e-3), 1e-10);
         check!(Sdirk4::new().step(1e-3), 1e-9);
         check!(Vcabm::new().tolerance(1e-9), 1e-7);
-        check!(GeneralizedAlpha::new(0.8).step(1e-3), 1e-5);
-        check!(MoreauJean::step(1e-3), 1e-3);
+        check!(GeneralizedAlpha::new(0.8).step(1e-3), 1e-5); // order two
+        check!(MoreauJean::step(1e-3), 1e-3); // order one
     }
     Ok(())
 }
@@ -110,7 +148,12 @@ fn storeys_break_away_at_once() -> Result<(), Box<dyn std::error::Error>> {
         for ((found, fine), coarse) in run.motion.coordinates().iter().zip(fine.coordinates()).zip(coarse.coordinates())
         {
             near(*found, fine, 1e-6);
-            near(*found, coarse, 3e-3);
+            near(*found, coarse, 3e-3); // order one, in steps of 1 ms
+        }
+        let by_hand = core::array::from_fn(|i| [masses[i], 50.0, damping, mu * masses[i..].iter().sum::<f64>()]);
+        let by_hand = stepped::<3>(by_hand, |t| t, (3.0, 30_000));
+        for (found, expected) in run.motion.coordinates().iter().zip(by_hand) {
+            near(*found, expected, 3e-4); // order one, in steps of 0.1 ms
         }
     }
     Ok(())
@@ -132,6 +175,8 @@ fn generalised_alpha_ends_under_a_record() -> Result<(), Box<dyn std::error::Err
     };
     let scene = System::new(Clamped::on(Moving(ground), 0.0), (floor(2.0, 900.0, 3.0), floor(1.5, 800.0, 2.1)), Free)?;
     let expected = scene.simulation(Dop853::tolerance(1e-9)).run(scene.motion(), 9.0, |_| ())?.motion.coordinates();
+    let by_hand = stepped([[2.0, 900.0, 0.4, 3.0], [1.5, 800.0, 0.4, 2.1]], record, (9.0, 180_000));
+    expected.iter().zip(by_hand).for_each(|(found, expected)| near(*found, expected, 3e-5));
     let mut runs = 0;
     macro_rules! check {
         ($rule:expr) => {{
@@ -142,7 +187,7 @@ fn generalised_alpha_ends_under_a_record() -> Result<(), Box<dyn std::error::Err
                 assert!(steps < 30_000, "at {} s", run.motion().time());
             }
             for (found, expected) in run.motion().coordinates().iter().zip(&expected) {
-                near(*found, *expected, 3e-3);
+                near(*found, *expected, 3e-3); // 1.3e-3 was seen
             }
             runs += 1;
         }};

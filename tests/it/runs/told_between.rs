@@ -80,6 +80,22 @@ fn a_sampled_controller_tells_a_run_its_torque() -> Result<(), Box<dyn std::erro
     Ok(())
 }
 
+/// Calls that make no step see nothing: what was told before one is there for the next step.
+#[test]
+fn calls_without_steps_see_nothing() -> Result<(), Box<dyn std::error::Error>> {
+    let scene = System::new(Pinned::origin(), RigidBody::new(1.0, 1.0, [0.0; 2], [0.0; 2]), Free)?;
+    let torque = Cell::new(0.0);
+    let loads = Loads::none().in_joints(|_, _, _: &JointMotion<f64>| torque.get());
+    let mut run = scene.simulation(Rk4::step(0.1)).loads(&loads).begin(scene.motion(), 1.0, |_| ())?;
+    run.until(0.5)?;
+    torque.set(1.0);
+    run.until(0.2)?;
+    run.up_to(0.3)?;
+    run.until(1.0)?;
+    near(run.motion().rates()[0], 0.5, 1e-15);
+    Ok(())
+}
+
 #[test]
 fn a_run_that_is_told_nothing_new_is_the_same() -> Result<(), Box<dyn std::error::Error>> {
     let rod = Rod::uniform(0.5, 1.0);
